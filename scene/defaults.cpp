@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/disjoint_boxes.h"
+#include "scene/quiet_layer.h"
 #include "scene/struck_plate.h"
 
 namespace tw {
@@ -171,12 +172,29 @@ double default_courant(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
 }
 
+double capillary_speed(const Scene& scene) {
+    if (!scene.effect_on("surface_tension")) return 0;
+    const double h = scene.sph.h_over_dp * scene.resolution.near_hull;
+    return std::sqrt(2 * scene.water.surface_tension / (scene.water.density * h));
+}
+
+double speed_under_quiet_surface(const Scene& scene) {
+    const QuietLayer layer = quiet_layer(scene);
+    double speed = std::sqrt(2 * scene.water.gravity * (layer.surface - layer.bottom));
+    for (const MovingBody& b : scene.bodies) {
+        const SlowBody slow = slow_body(scene, b);
+        speed = std::max(speed, std::sqrt(slow.dynamic / scene.water.density));
+    }
+    return speed;
+}
+
 double explained_speed(const Scene& scene) {
+    if (scene.effect_on("dynamic_pressure")) return speed_under_quiet_surface(scene);
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
     const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
     double body = 0;
     for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));
-    return std::max({scene.motion.speed, fall + fastest_wall(scene), body});
+    return std::max({scene.motion.speed, fall + fastest_wall(scene), body, capillary_speed(scene)});
 }
 
 double default_sound_speed(const Scene& scene) {

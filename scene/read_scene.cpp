@@ -13,6 +13,7 @@
 #include "scene/effects/registry.h"
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
+#include "scene/quiet_layer.h"
 #include "scene/read.h"
 #include "scene/refined_places.h"
 #include "scene/vortex_shedding.h"
@@ -239,7 +240,6 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
         scene.domain = domain_of(domain, tank, scene, s, depth, overrides.box_factor);
     scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());
     if (!overrides.device.empty()) scene.run.device = overrides.device;
-    scene.sph.c0 *= overrides.sound_speed_factor;
     scene.sph.cfl *= overrides.time_step_factor;
     scene.fvm.max_courant *= overrides.courant_factor;
     scene.fvm.max_alpha_courant *= overrides.courant_factor;
@@ -255,7 +255,9 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
             fmt::format("makes a raster of more than {:.0e} voxels; expected about {:.3g} m, twice near_hull",
                         most_voxels, two_particles));
     scene.effects = plan_effects(scene, s.effects);
+    scene.sph.c0 *= overrides.sound_speed_factor;
     check_elastic(scene, s);
+    warn_of_slow_bodies(scene);
     check_gate(scene, particles);
     check_tank_motion(scene, s);
     if (const auto shedding = check_vortex_shedding(scene)) scene.hull->findings.push_back(*shedding);

@@ -6,8 +6,10 @@
 
 #include "base/errors.h"
 #include "meshes/section.h"
+#include "meshes/mass_properties.h"
 #include "scene/new_record.h"
 #include "scene/particle_levels.h"
+#include "scene/quiet_layer.h"
 #include "scene/refined_places.h"
 #include "scene/tank_walls.h"
 #include "scene/walls_met.h"
@@ -124,6 +126,29 @@ ElasticSetup elastic_setup(const ElasticTyre& tyre, double floor) {
     return s;
 }
 
+/// Of a solid, in two dimensions of a metre of its section.
+Surroundings::Submerged submerged(const Surface& solid, bool flat) {
+    const Surface all = flat ? section_prism(solid) : solid;
+    const MassProperties whole = mass_properties(all);
+    Surroundings::Submerged s{whole.volume, whole.centroid, 0};
+    for (const Vec3& p : all.points) {
+        Vec3 arm = p - whole.centroid;
+        if (flat) arm.y() = 0;
+        s.radius = std::max(s.radius, arm.norm());
+    }
+    return s;
+}
+
+/// Effect dynamic_pressure. What water at rest keeps of its pressure is that of one spacing: it is to stay above zero
+/// behind a body.
+void take_rest_pressure(const Scene& scene, SimulationSetup& s) {
+    const QuietLayer layer = quiet_layer(scene);
+    const double weight = scene.water.density * scene.water.gravity;
+    s.at_rest = {layer.surface, layer.top, layer.bottom, weight, weight * scene.resolution.near_hull};
+    for (const Obstacle& o : scene.obstacles) s.submerged.push_back(submerged(o.surface, s.dimensions == 2));
+    for (const MovingBody& b : scene.bodies) s.submerged.push_back(submerged(b.surface, s.dimensions == 2));
+}
+
 }  // namespace
 
 SphSetup sph_setup(const Scene& scene, int threads) {
@@ -183,6 +208,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     if (!s.zones.empty() && zones_move(scene))
         s.zones_round = [of = std::make_shared<const Scene>(scene), start = s.zones](
                             std::span<const MovedSolid> moving) { return particle_zones(*of, moving, start); };
+    if (scene.effect_on("dynamic_pressure")) take_rest_pressure(scene, s);
     s.effects = effects_of(scene, s, s);
     s.tension_control = scene.effect_on("tension_control");
     const double coarsest_dp = std::ldexp(s.dp, sizes_of_particles(scene) - 1);

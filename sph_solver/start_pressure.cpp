@@ -134,7 +134,7 @@ int find_start_pressure(const SimulationSetup& s, std::span<const Box> blocks, s
     const double g = -s.gravity.z();
     const auto& periodic = s.mirrors.periodic;
     const ForceAtStart force(s);
-    if (s.stream || !(g > 0) || periodic[0] || periodic[1] || periodic[2]) return 0;
+    if (s.stream || !(g > 0) || s.at_rest || periodic[0] || periodic[1] || periodic[2]) return 0;
 
     const double clear = 0.5 * s.dp, weight = force.even.z() / -g;
     std::vector<SurfaceQuery> solids;

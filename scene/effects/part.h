@@ -45,4 +45,10 @@ struct EffectPart {
     bool in_the_throughput = false;   ///< the throughput in cost_estimate.cpp was measured with it on
 };
 
+/// A number of the scene takes the value that a choice wants, unless the file gives it. `key`: "section.key".
+template <class Value>
+void take_default(Scene& scene, const std::string& key, double& number, const Value& value) {
+    if (!scene.places.contains(key)) number = value();
+}
+
 }  // namespace tw

@@ -31,6 +31,7 @@ std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
         choices.push_back(std::move(choice));
     }
     section.finish();
+    scene.effects = choices;  // defaults that follow from them
     for (std::size_t k = 0; k < choices.size(); ++k)
         if (effects()[k].settle) effects()[k].settle(scene, choices[k].on);
     return choices;

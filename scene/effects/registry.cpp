@@ -11,7 +11,7 @@
 #define TWINWAKE_EFFECTS(part)                                                                      \
     part(viscosity) part(friction) part(no_slip) part(turbulence) part(surface_tension) part(air)   \
         part(compressibility) part(gravity) part(ventilation) part(cavitation) part(damping_layers) \
-            part(acoustic_damping) part(shifting) part(tension_control)
+            part(acoustic_damping) part(shifting) part(tension_control) part(dynamic_pressure)
 
 namespace tw {
 

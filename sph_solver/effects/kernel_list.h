@@ -25,8 +25,9 @@
     task(tw_pull_at_surface,   PullAtSurface)
 
 // The same, and the largest of what they give: largest(NAME, TASK).
-#define TW_EFFECT_LARGEST(largest)    \
-    largest(tw_add_eddies, AddEddies)
+#define TW_EFFECT_LARGEST(largest)                    \
+    largest(tw_add_eddies,          AddEddies)         \
+    largest(tw_weigh_under_surface, WeighUnderSurface)
 
 // Groups by a condition, choose(NAME, CONDITION), and sweeps over those that it chose: sweep(NAME, VIEW).
 #define TW_EFFECT_CHOICES(choose)     \

@@ -3,6 +3,7 @@
 #include "sph_solver/effects/acoustic_damping_loops.h"
 #include "sph_solver/effects/cavitation_loops.h"
 #include "sph_solver/effects/damping_layers_loops.h"
+#include "sph_solver/effects/dynamic_pressure_loops.h"
 #include "sph_solver/effects/kernel_list.h"
 #include "sph_solver/effects/moving_tank_loops.h"
 #include "sph_solver/effects/surface_tension.h"

@@ -72,7 +72,7 @@ void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
         });
     };
     if (!around_.frame) {
-        const Vec3& g = around_.gravity;
+        const Vec3 g = around_.weight();
         return all(SameForce{{g.x(), g.y(), g.z()}});
     }
     all(ForceHalfway{{p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()},

@@ -64,7 +64,8 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
     particles_.reserve(fluid.places.size());
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
         const Vec3& p = fluid.places[k];
-        const double depth_pressure = setup_.rho0 * around.gravity.norm() * fluid.depth[k];
+        const double depth_pressure =
+            around.at_rest ? around.at_rest->carried(p.z()) : setup_.rho0 * around.gravity.norm() * fluid.depth[k];
         const Kind kind = around.stream && p.x() < around.domain.min.x()   ? Kind::inlet
                           : around.stream && p.x() > around.domain.max.x() ? Kind::outlet
                                                                            : Kind::fluid;
@@ -81,7 +82,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
 double Level::reference_speed() const { return std::max(extremes_.speed, stream_velocity(time_)); }
 
 Vec3 Level::body_force() const {
-    return around_.gravity + Vec3(around_.stream ? around_.stream->acceleration(time_) : 0, 0, 0);
+    return around_.weight() + Vec3(around_.stream ? around_.stream->acceleration(time_) : 0, 0, 0);
 }
 
 double Level::lid_pressure() const {
@@ -157,9 +158,9 @@ SecondSweepData Level::second_sweep_data(double t) {
                       .wall_load = walls_.group_loads().data(),
                       .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
                       .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
-                      .gx = static_cast<float>(around_.gravity.x() + stream_acceleration),
-                      .gy = static_cast<float>(around_.gravity.y()),
-                      .gz = static_cast<float>(around_.gravity.z())};
+                      .gx = static_cast<float>(around_.weight().x() + stream_acceleration),
+                      .gy = static_cast<float>(around_.weight().y()),
+                      .gz = static_cast<float>(around_.weight().z())};
     if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
     return d;
 }
@@ -325,7 +326,7 @@ void Level::gather_loads(const Vec3& moment_reference) {
         return;
     }
     ranks().add(std::span(sums));
-    set_loads(sums);
+    set_loads(sums, moment_reference);
 }
 
 /// By bodies that press.
@@ -347,7 +348,21 @@ WallPushes Level::push_particles() {
     return pushed;
 }
 
-void Level::set_loads(std::span<const PushSum> sums) {
+/// The force of the pressure that the particles do not carry.
+void Level::add_archimedes(std::size_t b, const Vec3& moment_reference, Load& load) const {
+    const Surroundings::Submerged& solid = around_.submerged[b];
+    const Vec3 centroid = bodies_[b]->now(solid.centroid);
+    if (centroid.z() + solid.radius > around_.at_rest->bottom)
+        throw RunError(fmt::format(
+            "{} came within {:.4g} m of still water at t = {:.6g} s, where the particles carry the whole pressure; what "
+            "comes then is not solved with [effects] dynamic_pressure = \"on\": end the run before it, or set it to \"off\"",
+            bodies_[b]->name(), around_.at_rest->surface - centroid.z() - solid.radius, time_));
+    const Vec3 up(0, 0, around_.at_rest->weight * solid.volume);
+    load.force += up;
+    load.moment += (centroid - moment_reference).cross(up);
+}
+
+void Level::set_loads(std::span<const PushSum> sums, const Vec3& moment_reference) {
     const std::size_t n = bodies_.size();
     const auto pressed = sums.first(n), rubbed = sums.subspan(n, n), of_bodies = sums.last(n);
     // force on the bodies = minus what they exert on the water
@@ -358,6 +373,7 @@ void Level::set_loads(std::span<const PushSum> sums) {
         PushSum by_walls = pressed[b];
         by_walls += rubbed[b];
         loads[b].moment = of_bodies[b].turn.value() - mass_ * by_walls.turn.value();
+        if (around_.at_rest) add_archimedes(b, moment_reference, loads[b]);
     }
     walls_.set_loads(std::move(loads));
 }

@@ -101,7 +101,11 @@ public:
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
     KindCounts kinds() const;  ///< of the particles of all ranks
-    double pressure(std::size_t i) const { return setup_.state_equation.pressure(setup_.rho0, home().drho[i]); }
+    double pressure(std::size_t i) const {
+        const Particles& p = home();
+        return double(setup_.state_equation.pressure(setup_.rho0, p.drho[i])) +
+               (around_.at_rest ? around_.at_rest->at(p.z[i]) : 0);
+    }
     const Ledger& ledger() const { return ledger_; }
     const Extremes& extremes() const { return extremes_; }
     const Timers& timers() const { return timers_; }
@@ -341,7 +345,8 @@ private:
     void note_own();
     void tell_first_sweep();
     /// Of all ranks: pressed, rubbed and by bodies, one for each body.
-    void set_loads(std::span<const PushSum> sums);
+    void set_loads(std::span<const PushSum> sums, const Vec3& moment_reference);
+    void add_archimedes(std::size_t b, const Vec3& moment_reference, Load& load) const;
     void tell_samples(PointSamples& points) const;
     WallPushes push_particles();
 

@@ -188,7 +188,7 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     note(all.fastest, fastest), note(all.densest, densest), note(all.thinnest, thinnest);
     const double own_speed2 = all.fastest.value;
     ranks().add(std::span(&all, 1), std::span(on_bodies), std::span(waiting_loads_));
-    if (!waiting_loads_.empty()) set_loads(waiting_loads_);
+    if (!waiting_loads_.empty()) set_loads(waiting_loads_, moment_reference);
     waiting_loads_.clear();
     if (all.held > 0 && walls_.give_way()) struck.places = of_all_ranks(strikes, strike_columns);
     if (all.broken > 0)

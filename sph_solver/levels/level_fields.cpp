@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sph_solver/backend/for_particles.h"
+#include "sph_solver/equations/wall_pressure.h"
 #include "sph_solver/levels/level.h"
 #include "sph_solver/sweeps/interpolate.h"
 
@@ -87,9 +88,9 @@ std::vector<Span> within_reach(const SortedPlaces& of, const ColumnGrid& grid, d
 ExtrapolateData Level::extrapolation() const {
     ExtrapolateData e;
     e.water = water_view();
-    e.gx = static_cast<float>(around_.gravity.x());
-    e.gy = static_cast<float>(around_.gravity.y());
-    e.gz = static_cast<float>(around_.gravity.z());
+    e.gx = static_cast<float>(around_.weight().x());
+    e.gy = static_cast<float>(around_.weight().y());
+    e.gz = static_cast<float>(around_.weight().z());
     return e;
 }
 
@@ -121,6 +122,8 @@ void Level::sample(PointSamples& points) const {
         const auto i = static_cast<std::size_t>(sorted.order[k]);
         points.p[i] = p[k];
         points.support[i] = support[k];
+        if (around_.at_rest && !points.want_flux && support[k] > WallPressure::least_support)
+            points.p[i] += static_cast<float>(around_.at_rest->at(points.places[i].z()));
         for (std::size_t a = 0; a < 6 && points.want_flux; ++a) points.flux[6 * i + a] = flux[6 * k + a];
     }
     tell_samples(points);

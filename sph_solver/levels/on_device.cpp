@@ -187,7 +187,7 @@ void LevelOnDevice::refresh_images(double t, GradientPressureRecord* stress) {
                                    level_.ghosts_.still(), force, on_->place.data(), on_->motion.data(), stress},
                on_->links.size());
     };
-    const Vec3& g = level_.around_.gravity;
+    const Vec3 g = level_.around_.weight();
     if (level_.around_.frame)
         refresh("tw_refresh_images_in_frame", ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around_.force(t))});
     else

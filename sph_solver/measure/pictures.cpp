@@ -17,6 +17,7 @@ Picture::Cloud cloud_of(const Simulation& simulation, std::size_t first, std::si
                         const AllParticles& particles, const char* name) {
     Picture::Cloud cloud{name, simulation.level(first).time(), {}, {}};
     Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
+    const auto& at_rest = simulation.setup().at_rest;
     std::size_t all = 0;
     for (std::size_t k = first; k < last; ++k) all += particles.of(k).size();
     cloud.places.reserve(all);
@@ -29,7 +30,8 @@ Picture::Cloud cloud_of(const Simulation& simulation, std::size_t first, std::si
             if (!is_active(p.kind[i])) continue;
             cloud.places.emplace_back(p.x[i], p.y[i], p.z[i]);
             velocity.values.insert(velocity.values.end(), {p.u[i], p.v[i], p.w[i]});
-            pressure.values.push_back(static_cast<float>(double(setup.state_equation.pressure(setup.rho0, p.drho[i]))));
+            const double carried = double(setup.state_equation.pressure(setup.rho0, p.drho[i]));
+            pressure.values.push_back(static_cast<float>(at_rest ? carried + at_rest->at(p.z[i]) : carried));
             kind.values.push_back(static_cast<float>(p.kind[i]));
             size.values.push_back(static_cast<float>(setup.dp));
         }

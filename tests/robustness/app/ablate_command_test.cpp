@@ -139,7 +139,7 @@ TEST_F(AblateCommand, WrongArgumentsAreRefusedBeforeTheWorkAndLeaveNothing) {
               "--effects surface_tensoin: there is no effect 'surface_tensoin'; expected one of: viscosity, friction, "
               "no_slip, "
               "turbulence, surface_tension, air, compressibility, gravity, ventilation, cavitation, damping_layers, "
-              "acoustic_damping, shifting, tension_control; did you mean 'surface_tension'?\n");
+              "acoustic_damping, shifting, tension_control, dynamic_pressure; did you mean 'surface_tension'?\n");
     EXPECT_NE(refused({"--effects", "compressibility"})
                   .find("none of these effects can be switched; compressibility: cannot be switched: "),
               std::string::npos);
