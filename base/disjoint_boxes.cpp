@@ -96,19 +96,23 @@ public:
         }
     }
 
-    /// Boxes that fill them, each grown along the axes in this order.
-    std::vector<Box> divided(const std::array<std::size_t, 3>& order) const {
+    /// Boxes that fill them, each grown along the axes in this order. `whole`: only by what reaches as far along the
+    /// axes before, so that a column beside a higher one is a box of its own and leaves no sliver of that.
+    std::vector<Box> divided(const std::array<std::size_t, 3>& order, bool whole) const {
         std::vector<Box> boxes;
         std::vector<char> left = filled_;
         for (std::size_t cell = 0; cell < left.size(); ++cell) {
             if (!left[cell]) continue;
             Count low{cell / (count_[1] * count_[2]), cell / count_[2] % count_[1], cell % count_[2]};
             Count high{low[0] + 1, low[1] + 1, low[2] + 1};
-            for (const std::size_t a : order)
-                for (; high[a] < count_[a]; ++high[a]) {
+            for (std::size_t n = 0; n < 3; ++n)
+                for (const std::size_t a = order[n]; high[a] < count_[a]; ++high[a]) {
                     Count from = low, to = high;
                     from[a] = high[a], to[a] = high[a] + 1;
                     if (!all(left, from, to)) break;
+                    if (whole && std::any_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n),
+                                             [&](std::size_t before) { return goes_on(left, from, to, before); }))
+                        break;
                 }
             mark(left, low, high, 0);
             Box& box = boxes.emplace_back(span_);
@@ -139,6 +143,15 @@ private:
             return true;
         });
     }
+    /// Whether cells are left beyond either end of a part along an axis.
+    bool goes_on(const std::vector<char>& cells, Count low, Count high, std::size_t axis) const {
+        const auto none = [&](std::size_t cell) { return cells[cell] == 0; };
+        const std::size_t first = low[axis], last = high[axis];
+        bool ends = true;
+        if (first > 0) low[axis] = first - 1, high[axis] = first, ends = each(low, high, none);
+        if (last < count_[axis]) low[axis] = last, high[axis] = last + 1, ends = ends && each(low, high, none);
+        return !ends;
+    }
     bool all(const std::vector<char>& cells, const Count& low, const Count& high) const {
         return each(low, high, [&](std::size_t cell) { return cells[cell] != 0; });
     }
@@ -163,10 +176,12 @@ std::vector<Box> divided_anew(const std::vector<Box>& group, const std::vector<i
     std::vector<Box> best;
     double best_thickness = -1;
     do {
-        std::vector<Box> boxes = cells.divided(order);
-        const double thickness = std::min(thinnest(boxes, axes), enough);
-        if (thickness > best_thickness || (thickness == best_thickness && boxes.size() < best.size()))
-            best = std::move(boxes), best_thickness = thickness;
+        for (const bool whole : {false, true}) {
+            std::vector<Box> boxes = cells.divided(order, whole);
+            const double thickness = std::min(thinnest(boxes, axes), enough);
+            if (thickness > best_thickness || (thickness == best_thickness && boxes.size() < best.size()))
+                best = std::move(boxes), best_thickness = thickness;
+        }
     } while (std::ranges::next_permutation(order).found);
     return best;
 }

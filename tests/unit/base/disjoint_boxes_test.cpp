@@ -64,14 +64,14 @@ TEST(DisjointBoxes, OfRandomOnesFillTheSameSpaceOnce) {
         }
         const std::vector<Box> found = disjoint_boxes(blocks, dimensions, 1e-4);
         int in_one = 0;
-        for (int n = 0; n < 20000; ++n) {
+        for (int n = 0; n < 5000; ++n) {
             const Vec3 x(anywhere(random), dimensions == 2 ? 0.5 : anywhere(random), anywhere(random));
             const auto holds = [&](const Box& box) { return box.contains(x); };
             const auto times = std::ranges::count_if(found, holds);
             ASSERT_EQ(times, std::ranges::any_of(blocks, holds) ? 1 : 0);
             in_one += times > 0 ? 1 : 0;
         }
-        EXPECT_GT(in_one, 5000);
+        EXPECT_GT(in_one, 1000);
         EXPECT_LT(volume_of(found), volume_of(blocks)) << "they overlapped";
     }
 }
