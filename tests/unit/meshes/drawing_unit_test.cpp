@@ -27,7 +27,7 @@ TEST(DrawingUnit, IsWhatTheHeaderOfAStepFileSays) {
 
 TEST(DrawingUnit, IsTheFlagInTheGlobalSectionOfAnIgesFile) {
     const auto of = [](const std::string& flag) {
-        std::string text = "1H,,1H;,7Htest,hu,8Hh.igs,4Htest,1H1,32,38,7,38,15,,1.," + flag + ",2HMM,1,0.01,;";
+        std::string text = "1H,,1H;,7Htest,hu,5Hh.igs,4Htest,1H1,32,38,7,38,15,,1.," + flag + ",2HMM,1,0.01,;";
         std::string lines = std::string(72, ' ') + "S      1\n";
         for (std::size_t at = 0; at < text.size(); at += 72) {
             std::string line = text.substr(at, 72);

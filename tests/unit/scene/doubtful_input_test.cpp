@@ -40,7 +40,7 @@ TEST(DoubtfulInput, ADynamicViscosityGivenForAKinematicOne) {
 
 TEST(DoubtfulInput, ADensityInGramsAndATensionInMillinewtons) {
     EXPECT_NE(found_in(tank + "[water]\ndensity = 1.025\n", "odd_density"), "");
-    EXPECT_NE(found_in(tank + "[water]\nsurface_tension = 72\n", "odd_tension"), "");
+    EXPECT_NE(found_in(tank + "[water]\nsurface_tension = 7.28\n", "odd_tension"), "");
     EXPECT_EQ(warnings_text(scene_of(tank)), "");
 }
 
@@ -124,18 +124,21 @@ std::string stepped(double step) {
         s.triangles.push_back({a, b, c}), s.triangles.push_back({a, c, d});
     };
     const auto shell = [&](int a, int b) {
-        for (int k = 0; k < 4; ++k) quad(a + k, a + k + 1, b + k + 1, b + k);
+        for (int k = 1; k < 3; ++k) quad(a + k, a + k + 1, b + k + 1, b + k);
         quad(a, b, b + 4, a + 4);  // the deck
     };
     shell(bow, before);
     shell(behind, stern);
-    // the riser, between the two sections, below the flat side's lower corners; the sides meet above them
-    for (int k = 1; k < 3; ++k) quad(before + k, before + k + 1, behind + k + 1, behind + k);
-    s.triangles.push_back({before, before + 1, behind + 1});
-    s.triangles.push_back({before + 4, behind + 3, before + 3});
+    quad(behind, behind + 1, stern + 1, stern);
+    quad(behind + 3, behind + 4, stern + 4, stern + 3);
+    // the sides before the step, whose after edges have the corners of both sections
+    quad(bow, bow + 1, before + 1, behind + 1);
+    s.triangles.push_back({bow, behind + 1, before});
+    quad(bow + 3, bow + 4, before + 4, behind + 3);
+    s.triangles.push_back({bow + 3, behind + 3, before + 3});
+    for (int k = 1; k < 3; ++k) quad(before + k, before + k + 1, behind + k + 1, behind + k);  // the riser
     for (int k = 1; k < 4; ++k) s.triangles.push_back({bow, bow + k + 1, bow + k});
     for (int k = 1; k < 4; ++k) s.triangles.push_back({stern, stern + k, stern + k + 1});
-    for (auto& t : s.triangles) std::swap(t[1], t[2]);
     write_stl(scratch() / "stepped.stl", welded(s));
     return "[hull]\nfile = \"stepped.stl\"\ndraft = 0.3\n[motion]\nspeed = 8\n[resolution]\nnear_hull = 0.1\n" +
            one_size;
