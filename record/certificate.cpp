@@ -50,7 +50,8 @@ std::optional<double> energy_made(const RunRecord& record) {
         return kinetic->values[i] + potential->values[i] + (elastic ? elastic->values[i] : 0) +
                (air ? air->values[i] : 0) - (work ? work->values[i] : 0) + given_to_bodies(record, times[i]);
     };
-    return energy(kinetic->values.size() - 1) - energy(0);
+    const auto surface = record.numbers.find(energy_of_surface);
+    return energy(kinetic->values.size() - 1) - energy(0) - (surface == record.numbers.end() ? 0 : surface->second);
 }
 
 std::optional<double> energy_of_height(const RunRecord& record) {
@@ -65,7 +66,9 @@ std::optional<double> energy_of_height(const RunRecord& record) {
 void watch_energy(RunRecord& record) {
     const std::optional<double> made = energy_made(record);
     if (!made) return;
-    const double scale = std::abs(record.series("samples", "potential_energy")->values.front());
+    const auto surface = record.numbers.find(energy_of_surface);
+    const double scale = std::abs(record.series("samples", "potential_energy")->values.front()) +
+                         (surface == record.numbers.end() ? 0 : surface->second);
     if (!(scale > 0)) return;
     CertificateLine line{"energy made", "%"};
     line.value = 100 * *made / scale;

@@ -13,6 +13,8 @@ inline constexpr const char* orphans_line = "orphans at a zone's edge";
 inline constexpr const char* interface_line = "energy made at an elastic body (added mass)";
 /// Of the particles: how much less room (or more) they take inside the water than their densities say.
 inline constexpr const char* crowding_line = "crowding of the particles";
+/// The number of a record [J, in two dimensions J/m]: the most that surface tension can give to the water's motion.
+inline constexpr const char* energy_of_surface = "energy_of_surface";
 /// Whether a line that is not met warns only: the run's other numbers may be used, with this in mind.
 bool only_warns(const CertificateLine& line);
 
@@ -24,11 +26,12 @@ void note_worst(RunRecord& record, const CertificateLine& line);
 ///   energy made = E(t) - E(0)   [J],  E: kinetic, potential and, where known, elastic and the air's
 ///
 /// and the work of the water on bodies that move (free or prescribed) less that of a tank that moves. Walls at rest do no
-/// work, so nothing but a fault of the method makes energy. A stream brings its own: nothing, as before the first frame.
+/// work, so nothing but a fault of the method makes energy; the surface of the water may give as much as the number
+/// `energy_of_surface` says. A stream brings its own: nothing, as before the first frame.
 std::optional<double> energy_made(const RunRecord& record);
 /// What the water of a tank has at its start from its height above the tank's floor, m g z [J].
 std::optional<double> energy_of_height(const RunRecord& record);
-/// The energy made after each frame as a line of the certificate: a share of |E_p(0)|, limit 1 %.
+/// The energy made after each frame as a line of the certificate: a share of |E_p(0)| and the surface's energy, limit 1 %.
 void watch_energy(RunRecord& record);
 
 }  // namespace tw

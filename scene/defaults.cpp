@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/disjoint_boxes.h"
+#include "scene/capillary.h"
 #include "scene/quiet_layer.h"
 #include "scene/struck_plate.h"
 
@@ -170,12 +171,6 @@ void fill_times(Scene& scene) {
 double default_courant(const Scene& scene) {
     // Measured: forces of a hull in a steady stream are the same at 4 as at 1; a splash is not.
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
-}
-
-double capillary_speed(const Scene& scene) {
-    if (!scene.effect_on("surface_tension")) return 0;
-    const double h = scene.sph.h_over_dp * scene.resolution.near_hull;
-    return std::sqrt(2 * scene.water.surface_tension / (scene.water.density * h));
 }
 
 double speed_under_quiet_surface(const Scene& scene) {

@@ -55,9 +55,6 @@ double voxels(const RasterSpec& raster);  ///< how many
 inline constexpr double most_voxels = 1e9;
 /// Largest Courant number of the FVM run.
 double default_courant(const Scene& scene);
-/// With the effect surface_tension: whose head is the capillary pressure sigma/h of the sharpest curvature that particles
-/// know, sqrt(2 sigma / (rho h)); a capillary wave of that length, k = 1/h, is slower by sqrt(2) [m/s]. Else 0.
-double capillary_speed(const Scene& scene);
 /// With the effect dynamic_pressure: of a fall through the layer that has weight, and that whose head is the pressure of
 /// the bodies' motion, viscous or inertial [m/s].
 double speed_under_quiet_surface(const Scene& scene);

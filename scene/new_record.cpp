@@ -5,11 +5,13 @@
 
 #include <cmath>
 
+#include "record/certificate.h"
 #include "record/code_version.h"
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
 #include "scene/box_walls.h"
+#include "scene/capillary.h"
 #include "scene/doubtful_input.h"
 #include "scene/dry_floor.h"
 #include "scene/hash.h"
@@ -140,6 +142,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers[fmt::format("cut_x_{}", k)] = scene.sampling.cuts_x[k];
     for (std::size_t k = 0; k < scene.sampling.cuts_y.size(); ++k)
         record.numbers[fmt::format("cut_y_{}", k)] = scene.sampling.cuts_y[k];
+    if (scene.effect_on("surface_tension"))
+        record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
     if (method == "sph") {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;

@@ -13,9 +13,7 @@
 namespace tw {
 namespace {
 
-double surface_of(const Scene& scene) {
-    return scene.water_blocks.empty() ? 0 : scene.water_blocks.front().max.z();
-}
+double surface_of(const Scene& scene) { return scene.water_blocks.empty() ? 0 : scene.water_blocks.front().max.z(); }
 
 /// Of all solids [m]; nothing where there is none.
 double highest_solid(const Scene& scene) {
@@ -71,8 +69,9 @@ std::string no_quiet_layer(const Scene& scene) {
         if (stands_in_a_wall(o.surface, scene)) return fmt::format("the obstacle {} touches a wall", o.name);
     const double over = surface_of(scene) - highest_solid(scene), needed = 12 * smoothing_length(scene);
     if (over < needed)
-        return fmt::format("the water over the highest solid is {:.3g} m deep; expected {:.3g} m, twelve smoothing lengths",
-                           over, needed);
+        return fmt::format(
+            "the water over the highest solid is {:.3g} m deep; expected {:.3g} m, twelve smoothing lengths", over,
+            needed);
     return "";
 }
 
@@ -127,23 +126,25 @@ void warn_of_slow_bodies(Scene& scene) {
         const SlowBody s = slow_body(scene, body);
         if (!(s.speed > 0) || s.reynolds > slow_up_to) continue;
         const auto warn = [&](const std::string& text) {
-            body.findings.push_back({Finding::Level::warning, "slow_body",
-                                     fmt::format("{} moves at about {:.2g} m/s, Re = {:.2g}: {}", body.name, s.speed,
-                                                 s.reynolds, text),
-                                     body.motion.mass.centre});
+            body.findings.push_back(
+                {Finding::Level::warning, "slow_body",
+                 fmt::format("{} moves at about {:.2g} m/s, Re = {:.2g}: {}", body.name, s.speed, s.reynolds, text),
+                 body.motion.mass.centre});
         };
-        if (s.size < spacings * scene.resolution.near_hull)
-            warn(fmt::format("its drag is right to 5 % from {:g} spacings in its diameter on (here {:.2g}); take near_hull = "
-                             "{:.2g} m or less",
-                             spacings, s.size / scene.resolution.near_hull, s.size / spacings));
+        if (s.size < 0.95 * spacings * scene.resolution.near_hull)  // facets take a little
+            warn(fmt::format(
+                "its drag is right to 5 % from {:g} spacings in its diameter on (here {:.2g}); take near_hull = "
+                "{:.2g} m or less",
+                spacings, s.size / scene.resolution.near_hull, s.size / spacings));
         if (scene.effect_on("dynamic_pressure") || s.hydrostatic <= 10 * s.dynamic) continue;
         const std::string why = no_quiet_layer(scene);
-        warn(fmt::format("under {:.2g} Pa of still water the particles will give it a drag about {:.0f} % too large, because "
-                         "they carry the whole pressure; {}",
-                         s.hydrostatic, 100 * excess_of_drag(s),
-                         why.empty() ? "leave [effects] dynamic_pressure at \"auto\""
-                                     : "[effects] dynamic_pressure would cure it, but " + why +
-                                           "; the mesh method does not have this error"));
+        warn(fmt::format(
+            "under {:.2g} Pa of still water the particles will give it a drag about {:.0f} % too large, because "
+            "they carry the whole pressure; {}",
+            s.hydrostatic, 100 * excess_of_drag(s),
+            why.empty() ? "leave [effects] dynamic_pressure at \"auto\""
+                        : "[effects] dynamic_pressure would cure it, but " + why +
+                              "; the mesh method does not have this error"));
     }
 }
 

@@ -8,7 +8,8 @@ namespace tw {
 /// Where the particles of slow water under a quiet surface take over its weight (effect dynamic_pressure; the equations
 /// stand in sph_solver/equations/rest_pressure.h).
 struct QuietLayer {
-    double surface = 0, top = 0, bottom = 0;  ///< of the still water, and the band in which the pressure is handed over [m]
+    double surface = 0, top = 0,
+           bottom = 0;  ///< of the still water, and the band in which the pressure is handed over [m]
 };
 
 /// Why a scene has no room or no place for it, and what to do; empty: it has. It wants a tank at rest with one level of

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "base/errors.h"
-#include "meshes/section.h"
 #include "meshes/mass_properties.h"
+#include "meshes/section.h"
 #include "scene/new_record.h"
 #include "scene/particle_levels.h"
 #include "scene/quiet_layer.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/capillary.h"
 #include "scene/defaults.h"
 #include "scene/effects/part.h"
 #include "text/plain_number.h"
@@ -31,7 +32,8 @@ std::string numerics_in_words(const Scene& scene) {
     const int d = scene.domain.dimensions;  // pairs grow with h^d, steps with c0/h
     const double times = std::pow(with.sph.h_over_dp / scene.sph.h_over_dp, d - 1) * with.sph.c0 / scene.sph.c0;
     return fmt::format(
-        "; a drop keeps its period, its water and its energy only with h/dp = {:g}, alpha = {:g} and a sound speed of ten "
+        "; a drop keeps its period, its water and its energy only with h/dp = {:g}, alpha = {:g} and a sound speed of "
+        "ten "
         "times its capillary speed ({} m/s at this size): the particles take h/dp = {:g}, alpha = {:g} and c0 = {} m/s "
         "(what [sph] gives stays), which makes the run {} times as long",
         wanted_h_over_dp, wanted_alpha, plain_number(capillary_speed(with), 2), with.sph.h_over_dp, with.sph.alpha,

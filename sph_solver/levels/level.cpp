@@ -353,10 +353,12 @@ void Level::add_archimedes(std::size_t b, const Vec3& moment_reference, Load& lo
     const Surroundings::Submerged& solid = around_.submerged[b];
     const Vec3 centroid = bodies_[b]->now(solid.centroid);
     if (centroid.z() + solid.radius > around_.at_rest->bottom)
-        throw RunError(fmt::format(
-            "{} came within {:.4g} m of still water at t = {:.6g} s, where the particles carry the whole pressure; what "
-            "comes then is not solved with [effects] dynamic_pressure = \"on\": end the run before it, or set it to \"off\"",
-            bodies_[b]->name(), around_.at_rest->surface - centroid.z() - solid.radius, time_));
+        throw RunError(
+            fmt::format("{} came within {:.4g} m of still water at t = {:.6g} s, where the particles carry the whole "
+                        "pressure; what "
+                        "comes then is not solved with [effects] dynamic_pressure = \"on\": end the run before it, or "
+                        "set it to \"off\"",
+                        bodies_[b]->name(), around_.at_rest->surface - centroid.z() - solid.radius, time_));
     const Vec3 up(0, 0, around_.at_rest->weight * solid.volume);
     load.force += up;
     load.moment += (centroid - moment_reference).cross(up);

@@ -75,6 +75,25 @@ TEST(Certificate, WhatBodiesHaveGivenTheWaterIsNotMade) {
     EXPECT_NEAR(r.certificate[0].value, 3, 1e-12);
 }
 
+TEST(Certificate, ASurfaceThatShrinksGivesItsEnergyAndNoMore) {
+    RunRecord r = tank({0, 20, 40}, 30);
+    r.certificate.clear();
+    r.numbers[energy_of_surface] = 25;
+    watch_energy(r);
+    EXPECT_NEAR(r.certificate[0].value, 100 * 5.0 / 125, 1e-12);
+    r.certificate.clear();
+    r.numbers[energy_of_surface] = 40;
+    watch_energy(r);
+    EXPECT_TRUE(r.certificate[0].met());
+    // without weight it is all the energy that there is
+    for (double& p : r.table("samples").column("potential_energy", "J").values) p = 0;
+    r.certificate.clear();
+    r.numbers[energy_of_surface] = 10;
+    watch_energy(r);
+    ASSERT_EQ(r.certificate.size(), 1u);
+    EXPECT_NEAR(r.certificate[0].value, 100 * 30.0 / 10, 1e-12);
+}
+
 TEST(Certificate, AStreamBringsItsOwnEnergy) {
     RunRecord r = tank({0, 20}, 50);
     r.certificate.clear();

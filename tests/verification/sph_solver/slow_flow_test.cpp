@@ -20,8 +20,9 @@ std::string drawn_rod(double U, double W, double duration, const std::string& mo
         "[tank]\nmin = [{0}, 0, -0.2]\nmax = [{1}, 0.001, 0.02]\n[domain]\ndimensions = 2\n"
         "[water]\nviscosity = \"1e-3 m2/s\"\n"
         "[[body]]\nname = \"rod\"\nshape = \"cylinder\"\ndiameter = \"20 mm\"\ndraft = \"0.11 m\"\n"
-        "law = \"ramp\"\nalong = [0, 0, -1]\nrate = {2}\nramp = 0.02\n"
-        "[motion]\nkind = \"none\"\n[resolution]\nnear_hull = \"2 mm\"\n[run]\nduration = {3}\n[sampling]\ninterval = 0.05\n{4}",
+        "motion = \"prescribed\"\nlaw = \"ramp\"\nalong = [0, 0, -1]\nrate = {2}\nramp = 0.02\n"
+        "[motion]\nkind = \"none\"\n[resolution]\nnear_hull = \"2 mm\"\n[run]\nduration = {3}\n[sampling]\ninterval = "
+        "0.05\n{4}",
         -W / 2, W / 2, U, duration, more);
 }
 
@@ -30,7 +31,7 @@ struct Drag {
 };
 Drag mean_drag(const RunRecord& record, double from) {
     const std::vector<double>&all = record.series("forces", "fz")->values,
-                       &viscous = record.series("forces", "fz_viscous")->values, &at = record.tables.at("forces").time;
+          &viscous = record.series("forces", "fz_viscous")->values, &at = record.tables.at("forces").time;
     Drag sum;
     double time = 0;
     for (std::size_t k = 1; k < at.size(); ++k) {
