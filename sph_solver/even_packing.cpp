@@ -110,6 +110,26 @@ struct PackedNear {
 
 }  // namespace
 
+FilledShare water_in(std::span<const Box> boxes, std::span<const SurfaceQuery> solids, int dimensions) {
+    return [=](const Vec3& middle, double edge) {
+        double sum = 0;
+        for (const Box& box : boxes) {
+            double share = 1;
+            for (int a = 0; a < 3; ++a) {
+                if (a == 1 && dimensions == 2) continue;
+                const double common =
+                    std::min(box.max[a], middle[a] + edge / 2) - std::max(box.min[a], middle[a] - edge / 2);
+                share *= std::max(0.0, common / edge);
+            }
+            sum += share;
+        }
+        sum = std::min(1.0, sum);
+        for (const SurfaceQuery& solid : solids)
+            if (sum > 0) sum *= std::clamp(0.5 + solid.nearest(middle, edge).distance / edge, 0.0, 1.0);
+        return sum;
+    };
+}
+
 int even_out(std::vector<Vec3>& places, std::span<const char> moves, const EvenPacking& p, const FilledShare& filled) {
     constexpr int most = 50;
     constexpr double still = 5e-4, longest = 0.1;  // spacings a time

@@ -3,12 +3,15 @@
 #include <span>
 #include <vector>
 
-#include "base/vec3.h"
+#include "meshes/query.h"
 
 namespace tw {
 
 /// Of what particles are to fill: the share of it in a small cube about a place [-], 0 to 1.
 using FilledShare = std::function<double(const Vec3& middle, double edge)>;
+
+/// Of what boxes that do not overlap hold outside solids. Both must outlive it.
+FilledShare water_in(std::span<const Box> boxes, std::span<const SurfaceQuery> solids, int dimensions);
 
 struct EvenPacking {
     int dimensions = 3;

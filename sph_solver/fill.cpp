@@ -68,11 +68,11 @@ Fluid fill(const SimulationSetup& s, double dp, int halvings, const std::vector<
     return fluid;
 }
 
-std::vector<std::vector<Box>> waters_of(const SimulationSetup& s, const std::vector<Box>& blocks) {
+}  // namespace
+
+std::vector<std::vector<Box>> waters_of(const SimulationSetup& s, std::span<const Box> blocks) {
     return disjoint_groups(blocks, s.dimensions, 0.5 * s.dp);
 }
-
-}  // namespace
 
 Fluid fill_with_fluid(const SimulationSetup& s, const std::vector<Box>& blocks) {
     return fill(s, s.dp, 0, queries_of(s), waters_of(s, blocks), everywhere);

@@ -14,22 +14,6 @@ bool is_near(const Box& seam, const Vec3& x, double distance, bool flat) {
     return true;
 }
 
-/// Of a cube what is in one of the boxes, which do not overlap.
-double share_in(std::span<const Box> boxes, const Vec3& middle, double edge, bool flat) {
-    double sum = 0;
-    for (const Box& box : boxes) {
-        double share = 1;
-        for (int a = 0; a < 3; ++a) {
-            if (a == 1 && flat) continue;
-            const double common =
-                std::min(box.max[a], middle[a] + edge / 2) - std::max(box.min[a], middle[a] - edge / 2);
-            share *= std::max(0.0, common / edge);
-        }
-        sum += share;
-    }
-    return sum;
-}
-
 }  // namespace
 
 void even_out_seams(const EvenPacking& packing, std::span<const Box> water, std::span<const Lattice> lattices,
@@ -44,14 +28,8 @@ void even_out_seams(const EvenPacking& packing, std::span<const Box> water, std:
         moves[i] = std::ranges::any_of(
             seams, [&](const Box& seam) { return is_near(seam, x, moved_over_dp * packing.dp, flat); });
     }
-    const auto filled = [&](const Vec3& middle, double edge) {
-        double share = share_in(water, middle, edge, flat);
-        for (const SurfaceQuery& solid : solids)
-            if (share > 0) share *= std::clamp(0.5 + solid.nearest(middle, edge).distance / edge, 0.0, 1.0);
-        return share;
-    };
     const std::vector<Vec3> before = fluid.places;
-    even_out(fluid.places, moves, packing, filled);
+    even_out(fluid.places, moves, packing, water_in(water, solids, packing.dimensions));
     for (std::size_t i = 0; i < before.size(); ++i) fluid.depth[i] += before[i].z() - fluid.places[i].z();
 }
 

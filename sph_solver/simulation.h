@@ -34,6 +34,8 @@ struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     int threads = 0;  ///< that make the steps; 0: as many as work already
 };
 
+/// The blocks of water: those that touch or overlap are one water, divided into boxes that do not overlap.
+std::vector<std::vector<Box>> waters_of(const SimulationSetup& setup, std::span<const Box> blocks);
 /// A lattice of about dp that fills each block, outside the bodies: its cells are stretched or pressed to go into the
 /// block a whole number of times.
 Fluid fill_with_fluid(const SimulationSetup& setup, const std::vector<Box>& blocks);

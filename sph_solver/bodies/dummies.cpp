@@ -4,33 +4,9 @@
 #include <cmath>
 
 #include "sph_solver/backend/for_particles.h"
+#include "sph_solver/bodies/cut_cell.h"
 
 namespace tw {
-
-namespace {
-constexpr int samples = 6;  // per axis of a cut cell
-
-/// Inner volume and centroid of the lattice cell round `centre`.
-void cut_cell(const SurfaceQuery& query, const Vec3& centre, double dp, int dimensions, double& volume,
-              Vec3& centroid) {
-    int inside = 0;
-    Vec3 sum = Vec3::Zero();
-    const int ny = dimensions == 3 ? samples : 1;
-    for (int k = 0; k < samples; ++k)
-        for (int j = 0; j < ny; ++j)
-            for (int i = 0; i < samples; ++i) {
-                const auto place = [&](int a, int n) { return ((a + 0.5) / n - 0.5) * dp; };
-                const Vec3 p = centre + Vec3(place(i, samples), place(j, ny), place(k, samples));
-                if (query.nearest(p, 2 * dp).distance < 0) {
-                    ++inside;
-                    sum += p;
-                }
-            }
-    const int all = samples * samples * ny;
-    volume = (dimensions == 3 ? dp * dp * dp : dp * dp) * inside / all;
-    if (inside > 0) centroid = sum / inside;
-}
-}  // namespace
 
 Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, double depth, const Box& region,
                      int dimensions) {
@@ -56,12 +32,12 @@ Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, do
                              (double(z0 + k) + 0.5) * dp);
                 const double d = query.nearest(p).distance;
                 if (std::abs(d) <= half_diagonal) {
-                    double volume = 0;
-                    Vec3 centroid = p;
-                    cut_cell(query, p, dp, dimensions, volume, centroid);
-                    if (volume > 0) {
-                        out.places.push_back(centroid);
-                        out.volumes.push_back(volume);
+                    const CutCell solid =
+                        cut_cell(p, Vec3::Constant(dp), dimensions == 2,
+                                 [&](const Vec3& x) { return query.nearest(x, 2 * dp).distance < 0; });
+                    if (solid.within > 0) {
+                        out.places.push_back(solid.centroid);
+                        out.volumes.push_back(solid.of(dimensions == 3 ? dp * dp * dp : dp * dp));
                     }
                 } else if (d < 0 && d > -depth) {
                     out.places.push_back(p);

@@ -157,6 +157,8 @@ SecondSweepData Level::second_sweep_data(double t) {
                       .rate = particles_.rate.data(),
                       .wall_load = walls_.group_loads().data(),
                       .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
+                      .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h_ * s.rho0) : 0,
+                      .packing_reach = static_cast<float>(kernel_.support() - s.dp / 2),
                       .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
                       .gx = static_cast<float>(around_.weight().x() + stream_acceleration),
                       .gy = static_cast<float>(around_.weight().y()),

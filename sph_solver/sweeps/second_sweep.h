@@ -2,6 +2,7 @@
 #include "sph_solver/equations/artificial_viscosity.h"
 #include "sph_solver/equations/density_diffusion.h"
 #include "sph_solver/equations/edge_release.h"
+#include "sph_solver/equations/packing.h"
 #include "sph_solver/equations/pressure_gradient.h"
 #include "sph_solver/equations/shifting.h"
 #include "sph_solver/sweeps/sweep.h"
@@ -20,7 +21,8 @@ TW_ALONE void shift_along_surface(const V3<Real>& N, const Own& own, ShiftSuppor
     });
 }
 
-/// Second sweep: pressure, artificial viscosity and density diffusion. Walls press, and do not rub (slip).
+/// Second sweep: pressure, artificial viscosity, density diffusion and what ties density to packing at walls. Walls press,
+/// and do not rub (slip).
 struct SecondSweep {
     const SecondSweepData& d;
     const DensityDiffusion density_diffusion;
@@ -78,11 +80,21 @@ struct SecondSweep {
         return a;
     }
     void store(const Own& i) const {
-        const Real drho = d.diffusion * diffusion;
+        Real drho = d.diffusion * diffusion;
+        if (d.packing > 0 && i.group.wall_list.size > 0) follow_packing(i, drho);
         const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
                          water.z * inv_rho + a_wall.z + d.gz};
         i.for_each([&](int own, int l) { d.rate[own] = {a.x[l], a.y[l], a.z[l], drho[l]}; });
         shift_along_surface(towards_surface, i, d.shift);
+    }
+
+private:
+    void follow_packing(const Own& i, Real& drho) const {
+        const Real surface2 = dot(towards_surface, towards_surface);
+        i.for_each([&](int own, int l) {
+            if (d.walls.normal[own].distance < d.packing_reach)
+                drho[l] += d.packing * Packing::excess(d.shift[own].support, surface2[l]);
+        });
     }
 };
 

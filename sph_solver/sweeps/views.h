@@ -74,10 +74,12 @@ struct SecondSweepData {
     WallView walls{};
     const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
     ShiftSupportRecord* shift = nullptr;     ///< turned along the free surface
-    RateRecord* rate = nullptr;              ///< gets the acceleration, and the density diffusion as drho
+    RateRecord* rate = nullptr;              ///< gets the acceleration, and as drho what is not compression
     WallLoad* wall_load =
         nullptr;                   ///< from Group::wall_load on one for each body that the group has in reach, in order
     float diffusion = 0;           ///< delta c0 [m/s], see DensityDiffusion
+    float packing = 0;             ///< k c0/h rho0 [kg/m3/s], see Packing; 0: off
+    float packing_reach = 0;       ///< from a solid [m]
     float viscosity = 0;           ///< alpha c0 rho0 / 2 [kg/m2/s], see ArtificialViscosity
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
     float tension_control_from = 2;  ///< kernel support from which tension is controlled; above 1.5: nowhere

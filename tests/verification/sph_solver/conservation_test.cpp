@@ -17,6 +17,7 @@
 //   a = -1/rho_i sum_j (p_i + p_j) grad_i W_ij V_j                           exchange, kinetic side
 //       + alpha h c0 rho0 / rho_i sum_j pi_ij grad_i W_ij V_j + g            artificial viscosity; gravity
 //   drho = k delta h c0 sum_j psi_ij . grad_i W_ij V_j                       density diffusion
+//        + k c0/h rho0 e_i beside a solid (packing.h)                        density follows packing
 //   u += k a;  x += e u + shift                                              shifting lifts water
 //
 // Behind a mirror plane p_j holds rho0 g . (x_image - x_j) more than the source's pressure: work of a wall that stands
@@ -75,10 +76,10 @@ Sums sums_of(const Simulation& simulation, const Particles& p) {
 /// Energy that each term has given to the water since the start [J]: what dissipates is negative.
 struct Budget {
     double viscosity = 0, diffusion = 0, tension = 0, shifting = 0, planes = 0, integrator = 0;
-    double solid = 0, held = 0, voids = 0;
+    double solid = 0, held = 0, voids = 0, packing = 0;
     double shifting_turn = 0;  ///< angular momentum by shifting [N m s]
     double sum() const {
-        return viscosity + diffusion + tension + voids + shifting + planes + integrator + solid + held;
+        return viscosity + diffusion + tension + voids + shifting + planes + integrator + solid + held + packing;
     }
     double dissipated() const { return -(viscosity + diffusion + tension + voids + held); }
 };
@@ -188,7 +189,7 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
 
     const Kernel kernel(h, 2);
     const double given_back = WaterTouch::of_plane_surface(kernel, s.dp, 2);
-    std::vector<double> V(n), drho(n), gx(n), gz(n);
+    std::vector<double> V(n), drho(n), gx(n), gz(n), support_of(n);
     for (std::size_t i = 0; i < n; ++i) V[i] = m / (rho0 + p.drho[i]);
     for (std::size_t i = 0; i < n; ++i) {
         double divergence = 0, support = 0, bx = 0, bz = 0, xx = 0, xz = 0, zz = 0, sx = 0, sz = 0;
@@ -216,6 +217,7 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
             shift(q, q.volume);
             touch += below(q.z) * q.W * q.volume;
         }
+        support_of[i] = support;
         if (by_wall > 0) by_wall *= std::clamp(1 - (1 - touch) / (1 - s.touch_support), 0.0, 1.0);
         const double rise_by_wall = dt_before * (rho0 + p.drho[i]) * by_wall;
         const double filled = std::clamp((support + given_back * std::hypot(sx, sz) - 0.8) / 0.1, 0.0, 1.0);
@@ -257,7 +259,9 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
     double difference = 0, largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
         double px = 0, pz = 0, vx = 0, vz = 0, hx = 0, hz = 0, diffusion = 0;  // p: exchange, h: of image pressures
+        bool at_surface = false;
         for (const Neighbour& q : neighbours[i]) {
+            at_surface = at_surface || support_of[q.j] < s.surface_support;
             const double FV = q.F * V[q.j], pressure = c0 * c0 * (drho[i] + drho[q.j]);
             px -= FV * pressure * q.x, pz -= FV * pressure * q.z;
             hx -= FV * q.higher * q.x, hz -= FV * q.higher * q.z;
@@ -283,6 +287,11 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
         budget.integrator += kick * V[i] * (px * u + pz * w);
         const double after = drho[i] + kick * s.delta * h * c0 * diffusion;
         budget.diffusion += m * (elastic_energy(s, after) - elastic_energy(s, drho[i]));
+        if (s.shifting > 0 && !wall[i].empty() && p.z[i] < 2 * h - s.dp / 2 && !at_surface) {
+            const double follows =
+                s.packing * c0 / h * rho0 * double(Packing::excess(static_cast<float>(support_of[i]), 0));
+            budget.packing += m * (elastic_energy(s, after + kick * follows) - elastic_energy(s, after));
+        }
 
         const std::size_t k = place_of_id[static_cast<std::size_t>(p.id[i])];
         const double un = next.u[k], wn = next.w[k];
@@ -339,10 +348,10 @@ Account account_of(Simulation& simulation, double until, const char* name) {
         "%.4g\n",
         b.viscosity, b.diffusion, b.tension, b.voids, b.held, lost);
     std::printf(
-        "  %% of that      shifting %+.3g, mirror planes %+.3g, solid %+.3g, time integrator %+.3g; not explained "
-        "%+.2g\n",
-        100 * b.shifting / lost, 100 * b.planes / lost, 100 * b.solid / lost, 100 * b.integrator / lost,
-        100 * a.closure() / lost);
+        "  %% of that      shifting %+.3g, packing %+.3g, mirror planes %+.3g, solid %+.3g, time integrator %+.3g; not "
+        "explained %+.2g\n",
+        100 * b.shifting / lost, 100 * b.packing / lost, 100 * b.planes / lost, 100 * b.solid / lost,
+        100 * b.integrator / lost, 100 * a.closure() / lost);
     std::printf(
         "  velocity after a step differs from the sums' by at most %.1e of the largest change, %d times above 1e-3\n",
         a.largest_difference, a.steps_apart);
