@@ -42,6 +42,7 @@
 #include "elliptic_drop.h"
 #include "prism.h"
 #include "sph_solver/bodies/dummies.h"
+#include "sph_solver/equations/packing.h"
 #include "sph_solver/equations/water_touch.h"
 #include "sph_solver/simulation.h"
 
@@ -287,7 +288,7 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
         budget.integrator += kick * V[i] * (px * u + pz * w);
         const double after = drho[i] + kick * s.delta * h * c0 * diffusion;
         budget.diffusion += m * (elastic_energy(s, after) - elastic_energy(s, drho[i]));
-        if (s.shifting > 0 && !wall[i].empty() && p.z[i] < 2 * h - s.dp / 2 && !at_surface) {
+        if (s.shifting > 0 && !floor.places.empty() && p.z[i] < 2 * h - s.dp / 2 && !at_surface) {
             const double follows =
                 s.packing * c0 / h * rho0 * double(Packing::excess(static_cast<float>(support_of[i]), 0));
             budget.packing += m * (elastic_energy(s, after + kick * follows) - elastic_energy(s, after));
