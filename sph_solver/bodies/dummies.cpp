@@ -32,9 +32,9 @@ Dummies make_dummies(const SurfaceQuery& query, const Box& bounds, double dp, do
                              (double(z0 + k) + 0.5) * dp);
                 const double d = query.nearest(p).distance;
                 if (std::abs(d) <= half_diagonal) {
-                    const CutCell solid =
-                        cut_cell(p, Vec3::Constant(dp), dimensions == 2,
-                                 [&](const Vec3& x) { return query.nearest(x, 2 * dp).distance < 0; });
+                    const CutCell solid = cut_cell(p, Vec3::Constant(dp), dimensions == 2, [&](const Vec3& x) {
+                        return query.nearest(x, 2 * dp).distance < 0;
+                    });
                     if (solid.within > 0) {
                         out.places.push_back(solid.centroid);
                         out.volumes.push_back(solid.of(dimensions == 3 ? dp * dp * dp : dp * dp));

@@ -51,8 +51,8 @@ Unevenness unevenness_of(const Filled& f, const Fluid& fluid) {
         double share = std::clamp(0.5 + query.nearest(middle).distance / edge, 0.0, 1.0);
         for (int a = 0; a < 3; ++a)
             if (a != 1 || f.setup.dimensions == 3)
-                share *= std::clamp(0.5 + std::min(middle[a] - f.water.min[a], f.water.max[a] - middle[a]) / edge, 0.0,
-                                    1.0);
+                share *=
+                    std::clamp(0.5 + std::min(middle[a] - f.water.min[a], f.water.max[a] - middle[a]) / edge, 0.0, 1.0);
         return share;
     };
     return unevenness(fluid.places, near, {f.setup.dimensions, dp, fluid.volume, f.setup.h_over_dp * dp}, filled);
@@ -76,9 +76,10 @@ void expect_fitted(int dimensions, const Box& solid) {
     EXPECT_LT(nearest_to(surface, f.plain), 0.2 * dp) << "or it fits as it is";
     EXPECT_GT(nearest_to(surface, f.fitted), 0.24 * dp);
     const Unevenness plain = unevenness_of(f, f.plain), fitted = unevenness_of(f, f.fitted);
-    std::printf("%d dimensions: kernel sums near the solid off by %.2f %% in the mean and %.2f %% at most, before %.2f and "
-                "%.2f %%\n",
-                dimensions, 100 * fitted.mean, 100 * fitted.most, 100 * plain.mean, 100 * plain.most);
+    std::printf(
+        "%d dimensions: kernel sums near the solid off by %.2f %% in the mean and %.2f %% at most, before %.2f and "
+        "%.2f %%\n",
+        dimensions, 100 * fitted.mean, 100 * fitted.most, 100 * plain.mean, 100 * plain.most);
     EXPECT_LT(fitted.mean, 0.015);
     EXPECT_LT(fitted.most, 0.04);
     EXPECT_GT(plain.most, 0.08);

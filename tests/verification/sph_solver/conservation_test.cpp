@@ -257,7 +257,7 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
     for (std::size_t d = 0; d < floor.places.size(); ++d)
         wall_pressure[d] = wall_support[d] > 0.005 ? wall_pressure[d] / wall_support[d] : 0;
     const double gradient_x = rho0 * s.gravity.x() / (c0 * c0), gradient_z = rho0 * s.gravity.z() / (c0 * c0);
-    double difference = 0, largest = 0;
+    double difference = 0, largest = 0, support_apart = 0;
     for (std::size_t i = 0; i < n; ++i) {
         double px = 0, pz = 0, vx = 0, vz = 0, hx = 0, hz = 0, diffusion = 0;  // p: exchange, h: of image pressures
         bool at_surface = false;
@@ -288,13 +288,15 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
         budget.integrator += kick * V[i] * (px * u + pz * w);
         const double after = drho[i] + kick * s.delta * h * c0 * diffusion;
         budget.diffusion += m * (elastic_energy(s, after) - elastic_energy(s, drho[i]));
+        const std::size_t k = place_of_id[static_cast<std::size_t>(p.id[i])];
         if (s.shifting > 0 && !floor.places.empty() && p.z[i] < 2 * h - s.dp / 2 && !at_surface) {
-            const double follows =
-                s.packing * c0 / h * rho0 * double(Packing::excess(static_cast<float>(support_of[i]), 0));
+            // of e_i, the difference of S_i from 1, the engine's single precision leaves three digits: taken from there
+            const float S = next.shift_support[k].support;
+            support_apart = std::max(support_apart, std::abs(double(S) - support_of[i]));
+            const double follows = s.packing * c0 / h * rho0 * double(Packing::excess(S, 0));
             budget.packing += m * (elastic_energy(s, after + kick * follows) - elastic_energy(s, after));
         }
 
-        const std::size_t k = place_of_id[static_cast<std::size_t>(p.id[i])];
         const double un = next.u[k], wn = next.w[k];
         const double shift_x = next.x[k] - p.x[i] - last_drift * un, shift_z = next.z[k] - p.z[i] - last_drift * wn;
         budget.shifting -= m * (s.gravity.x() * shift_x + s.gravity.z() * shift_z);
@@ -310,6 +312,7 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
         difference = std::max(difference, std::hypot(un - p.u[i] - kick * ax, wn - p.w[i] - kick * az));
         largest = std::max(largest, kick * std::hypot(ax, az));
     }
+    EXPECT_LT(support_apart, 2e-6);
     return difference / largest;
 }
 
@@ -473,7 +476,9 @@ TEST(EnergyBudget, OfAColumnThatCollapsesOnASolidFloorCloses) {
             EXPECT_LE(a.budget.held, 0);
             // The floor stands still and yet takes energy: in the continuity its dummy particles stand still, in the
             // momentum their pressure is the water's own, so the two sums are not dual.
-            EXPECT_LT(std::abs(a.budget.solid), 0.5 * a.budget.dissipated());  // found -33 and -22 %
+            EXPECT_LT(std::abs(a.budget.solid), 0.5 * a.budget.dissipated());  // found -18 %, without shifting -29 %
+            // found -4.4 and +1.3 %; none without shifting
+            EXPECT_LE(std::abs(a.budget.packing), shifting > 0 ? 0.1 * a.budget.dissipated() : 0);
         }
 }
 

@@ -47,11 +47,11 @@ const Solid hook{"body with an inner corner",
 const Solid box{"box", {{-0.03, -0.45}, {0.03, -0.45}, {0.03, -0.2}, {-0.03, -0.2}}};
 
 struct Rest {
-    double volume = 0;          ///< by the level of the water, over that of the particles at rest, less 1
-    double force = 0;           ///< mean over the exact one
-    double kinetic = 0;         ///< over the potential energy, at the end
-    double packing = 0;         ///< mean of the kernel supports under water less 1
-    double most_crowded = 0;    ///< the largest of them less 1
+    double volume = 0;        ///< by the level of the water, over that of the particles at rest, less 1
+    double force = 0;         ///< mean over the exact one
+    double kinetic = 0;       ///< over the potential energy, at the end
+    double packing = 0;       ///< mean of the kernel supports under water less 1
+    double most_crowded = 0;  ///< the largest of them less 1
 };
 
 /// Mean height at which the kernel support is a half, over columns of samples clear of the walls.
@@ -113,10 +113,11 @@ Rest rest_round(const Solid& solid, double dp, double h_over_dp, double packing,
 
 Rest shown(const Solid& solid, double dp, double h_over_dp, double packing, double until) {
     const Rest r = rest_round(solid, dp, h_over_dp, packing, until);
-    std::printf("%-26s dp %g mm, h/dp %g, k %g, %g s: volume %+.2f %%, force %.3f of Archimedes, kinetic energy %.1e of "
-                "the potential one, packing %+.2f %%, at most %+.1f %%\n",
-                solid.name, 1e3 * dp, h_over_dp, packing, until, 100 * r.volume, r.force, r.kinetic, 100 * r.packing,
-                100 * r.most_crowded);
+    std::printf(
+        "%-26s dp %g mm, h/dp %g, k %g, %g s: volume %+.2f %%, force %.3f of Archimedes, kinetic energy %.1e of "
+        "the potential one, packing %+.2f %%, at most %+.1f %%\n",
+        solid.name, 1e3 * dp, h_over_dp, packing, until, 100 * r.volume, r.force, r.kinetic, 100 * r.packing,
+        100 * r.most_crowded);
     return r;
 }
 
