@@ -79,7 +79,6 @@ void SolverLog::line(std::string_view text) {
     } else if (text.rfind("time step continuity errors", 0) == 0) {
         if (steps_.empty()) return;
         steps_.back().continuity = number_after(text, "sum local =").value_or(steps_.back().continuity);
-        steps_.back().made = number_after(text, "cumulative =").value_or(steps_.back().made);
     } else if (text.rfind("ExecutionTime", 0) == 0) {
         if (steps_.empty()) return;
         steps_.back().cpu = number_after(text, "ExecutionTime =").value_or(steps_.back().cpu);

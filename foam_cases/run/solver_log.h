@@ -22,9 +22,9 @@ public:
         double courant = 0, alpha_courant = 0;  ///< largest, anywhere and at the surface
         double water = 0;                       ///< volume fraction of the domain; NaN before the first solution
         double least = 0, most = 0;             ///< water fraction of any cell
-        double continuity = 0, made = 0;  ///< errors of it in a step, of either sign, and their sum since the start
-        double cpu = 0;                   ///< ExecutionTime since this start of the solver [s]
-        std::vector<Body> bodies;         ///< of several, as the step left them; empty with one
+        double continuity = 0;                  ///< error of it after the last corrector, in volumes of the domain
+        double cpu = 0;                         ///< ExecutionTime since this start of the solver [s]
+        std::vector<Body> bodies;               ///< of several, as the step left them; empty with one
     };
     void feed(std::string_view text);
 

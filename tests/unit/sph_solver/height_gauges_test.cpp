@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "height_gauge_scene.h"
 #include "sph_solver/run_sph.h"
+#include "tests/height_gauge_scene.h"
 
 namespace tw {
 namespace height_gauges_test {
