@@ -52,6 +52,26 @@ double thickness(const Scene& scene) {
     return std::max(8 * smoothing_length(scene), std::min(over / 2, water_height(scene) / 8));
 }
 
+/// A hull that a slow stream passes deep under water: nothing takes the weight of the water from the particles there.
+void warn_of_slow_hull(Scene& scene) {
+    if (!scene.hull || scene.motion.kind != Motion::Kind::stream || !(scene.water.gravity > 0)) return;
+    Hull& hull = *scene.hull;
+    const Box at = hull.surface.bounds();
+    if (!(at.max.z() < 0)) return;
+    MovingBody as_body{.name = "the hull", .source = {}, .surface = hull.surface, .motion = {}, .findings = {}};
+    as_body.motion.law = MotionLaw{.kind = MotionLaw::Kind::constant, .rate = scene.motion.speed};
+    const SlowBody s = slow_body(scene, as_body);
+    if (s.reynolds > slow_up_to || s.hydrostatic <= 10 * s.dynamic) return;
+    hull.findings.push_back(
+        {Finding::Level::warning, "slow_body",
+         fmt::format(
+             "Re = {:.2g}, and {:.2g} Pa of still water over it where the stream makes {:.2g} Pa: its drag by the "
+             "particles is no prediction, because their forces err by a share of the whole pressure; [effects] "
+             "gravity = \"off\" leaves the weight of the water away, which a body deep under water does not feel",
+             s.reynolds, s.hydrostatic, s.dynamic),
+         at.min});
+}
+
 }  // namespace
 
 std::string no_quiet_layer(const Scene& scene) {
@@ -121,6 +141,7 @@ double excess_of_drag(const SlowBody& body) { return std::min(1.0, 0.003 * body.
 void warn_of_slow_bodies(Scene& scene) {
     constexpr double spacings = 10;
     if (!scene.effect_on("viscosity")) return;
+    warn_of_slow_hull(scene);
     for (MovingBody& body : scene.bodies) {
         if (body.elastic) continue;
         const SlowBody s = slow_body(scene, body);

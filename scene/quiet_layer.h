@@ -43,7 +43,7 @@ const MovingBody* slowest_in_deep_water(const Scene& scene);
 /// every time that the hydrostatic pressure contains the dynamic one, up to twice the drag. Measured on a cylinder drawn
 /// through a channel, ten spacings across (docs/decisions/075-slow-viscous-flow.md).
 double excess_of_drag(const SlowBody& body);
-/// Notes on the bodies whose drag the particles will not have right. The effects have to be planned.
+/// Notes on the bodies, and on a hull in a stream, whose drag the particles will not have right. The effects have to be planned.
 void warn_of_slow_bodies(Scene& scene);
 
 }  // namespace tw

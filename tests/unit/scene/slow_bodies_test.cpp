@@ -65,6 +65,21 @@ TEST(SlowBodies, FastOnesAndThoseAtTheSurfaceKeepTheWholePressure) {
     EXPECT_TRUE(warned);
 }
 
+TEST(SlowBodies, AHullDeepInASlowStreamIsWarnedOf) {
+    const std::string stream =
+        "[hull]\nshape = \"cylinder\"\ndiameter = \"20 mm\"\ndraft = \"0.19 m\"\n[water]\nviscosity = \"1e-4 m2/s\"\n"
+        "[motion]\nspeed = 0.1\n[domain]\ndimensions = 2\nx = [-0.16, 0.24]\nz = [-0.36, 0.02]\n"
+        "[resolution]\nnear_hull = \"2 mm\"\n[effects]\nviscosity = \"on\"\n";
+    const auto warned = [](const std::string& text) {
+        for (const Finding& f : scene_of(text).hull->findings)
+            if (f.name == "slow_body") return f.message.find("Re = 20, and ") == 0;
+        return false;
+    };
+    EXPECT_TRUE(warned(stream));
+    EXPECT_FALSE(warned(stream + "gravity = \"off\"\n"));
+    EXPECT_FALSE(warned(with(stream, "speed = 0.1", "speed = 3")));
+}
+
 const std::string drop =
     "[tank]\nmin = [-0.008, 0, -0.008]\nmax = [0.008, 0.00025, 0.008]\n[domain]\ndimensions = 2\n"
     "[[water_block]]\nmin = [-0.003, 0, -0.0020833]\nmax = [0.003, 0.00025, 0.0020833]\n"
