@@ -18,21 +18,22 @@ namespace {
 constexpr double moved_over_dp = 4;     ///< particles this near to a solid move
 constexpr double clear_over_dp = 0.25;  ///< from the solid, at least
 
-using Cell = std::array<long, 3>;
+using LatticeCell = std::array<long, 3>;
 
-Cell beside(const Cell& c, int i, int j, int k) { return {c[0] + i, c[1] + j, c[2] + k}; }
+LatticeCell beside(const LatticeCell& c, int i, int j, int k) { return {c[0] + i, c[1] + j, c[2] + k}; }
 
 /// The particles of one level in one block of water, by cells of its lattice.
-class Cells {
+class LatticeCells {
 public:
-    Cells(const Lattice& lattice, const Zone* zone, Fluid& fluid) : lattice_(lattice), zone_(zone), fluid_(fluid) {
+    LatticeCells(const Lattice& lattice, const Zone* zone, Fluid& fluid)
+        : lattice_(lattice), zone_(zone), fluid_(fluid) {
         for (std::size_t i = 0; i < fluid.places.size(); ++i)
-            if (const std::optional<Cell> c = cell_of(fluid.places[i])) particle_[*c] = i;
+            if (const std::optional<LatticeCell> c = cell_of(fluid.places[i])) particle_[*c] = i;
     }
     /// Calls `act(cell)` for the cells near a solid, in the order of their places.
     template <class Act>
     void each_near(const Box& solid, const Act& act) const {
-        Cell low, high;
+        LatticeCell low, high;
         for (std::size_t a = 0; a < 3; ++a) {
             const auto b = static_cast<int>(a);
             const auto at = [&](double x) { return std::floor((x - lattice_.corner[b]) / lattice_.cell[b]); };
@@ -44,16 +45,16 @@ public:
         for (long k = low[2]; k <= high[2]; ++k)
             for (long j = low[1]; j <= high[1]; ++j)
                 for (long i = low[0]; i <= high[0]; ++i)
-                    if (const Cell c{i, j, k}; !zone_ || zone_->outside(middle(c)) < 0) act(c);
+                    if (const LatticeCell c{i, j, k}; !zone_ || zone_->outside(middle(c)) < 0) act(c);
     }
-    Vec3 middle(const Cell& c) const {
+    Vec3 middle(const LatticeCell& c) const {
         return lattice_.place(double(c[0]) + 0.5, double(c[1]) + 0.5, double(c[2]) + 0.5);
     }
     const Vec3& edges() const { return lattice_.cell; }
     bool flat() const { return lattice_.flat; }
 
     /// Fills a cell with a particle at `x`, which may be there already.
-    void fill(const Cell& c, const Vec3& x) {
+    void fill(const LatticeCell& c, const Vec3& x) {
         if (const auto found = particle_.find(c); found != particle_.end()) return move(found->second, x);
         for (int k = -1; k <= 1; ++k)  // as deep as the nearest of those beside it tells
             for (int j = flat() ? 0 : -1; j <= (flat() ? 0 : 1); ++j)
@@ -67,7 +68,7 @@ public:
                     }
     }
     /// Those to be taken out are given a depth that is none.
-    void empty(const Cell& c) {
+    void empty(const LatticeCell& c) {
         const auto found = particle_.find(c);
         if (found == particle_.end()) return;
         fluid_.depth[found->second] = std::numeric_limits<double>::quiet_NaN();
@@ -79,8 +80,8 @@ private:
         fluid_.depth[i] += fluid_.places[i].z() - x.z();
         fluid_.places[i] = x;
     }
-    std::optional<Cell> cell_of(const Vec3& x) const {
-        Cell c;
+    std::optional<LatticeCell> cell_of(const Vec3& x) const {
+        LatticeCell c;
         for (std::size_t a = 0; a < 3; ++a) {
             const auto b = static_cast<int>(a);
             c[a] = static_cast<long>(std::floor((x[b] - lattice_.corner[b]) / lattice_.cell[b]));
@@ -91,16 +92,16 @@ private:
     const Lattice& lattice_;
     const Zone* zone_;
     Fluid& fluid_;
-    std::map<Cell, std::size_t> particle_;
+    std::map<LatticeCell, std::size_t> particle_;
 };
 
 /// Fills the cells that a solid cuts as its water asks for. Returns whether it cuts any.
-bool fill_cut_cells(Cells& cells, const SurfaceQuery& solid, const Box& bounds, double dp) {
+bool fill_cut_cells(LatticeCells& cells, const SurfaceQuery& solid, const Box& bounds, double dp) {
     const Vec3 edges = cells.edges();
     const double reach = cells.flat() ? std::hypot(edges.x(), edges.z()) : edges.norm(), clear = clear_over_dp * dp;
-    std::map<Cell, CutCell> cut;
-    std::map<Cell, double> share;
-    cells.each_near(bounds, [&](const Cell& c) {
+    std::map<LatticeCell, CutCell> cut;
+    std::map<LatticeCell, double> share;
+    cells.each_near(bounds, [&](const LatticeCell& c) {
         const Vec3 middle = cells.middle(c);
         if (solid.nearest(middle, reach).triangle < 0) return;
         const CutCell water = cut_cell(middle, edges, cells.flat(),
@@ -118,12 +119,12 @@ bool fill_cut_cells(Cells& cells, const SurfaceQuery& solid, const Box& bounds, 
         } else {
             cells.empty(c);
         }
-        std::vector<Cell> next;
+        std::vector<LatticeCell> next;
         for (int k = -1; k <= 1; ++k)
             for (int j = -1; j <= 1; ++j)
                 for (int i = -1; i <= 1; ++i)
-                    if (const Cell d = beside(c, i, j, k); c < d && cut.contains(d)) next.push_back(d);
-        for (const Cell& d : next) share[d] += left / double(next.size());
+                    if (const LatticeCell d = beside(c, i, j, k); c < d && cut.contains(d)) next.push_back(d);
+        for (const LatticeCell& d : next) share[d] += left / double(next.size());
     }
     return !cut.empty();
 }
@@ -178,7 +179,7 @@ void fit_to_solids(const SimulationSetup& s, std::span<const Box> blocks, std::s
         std::vector<char> unfit(solids.size(), 0);
         for (const std::vector<Box>& water : waters)
             for (const Lattice& lattice : lattices_of(s.dimensions, dp, water, static_cast<int>(k))) {
-                Cells cells(lattice, zone, levels[k]);
+                LatticeCells cells(lattice, zone, levels[k]);
                 for (std::size_t b = 0; b < solids.size(); ++b)
                     if (fill_cut_cells(cells, solids[b], s.bodies[b].surface.bounds(), dp)) unfit[b] = 1;
                 take_out(levels[k]);
