@@ -101,6 +101,12 @@ std::string remedy(const Term& term, const LadderDifference& d, const LadderQuan
     return {};
 }
 
+/// Whether the sizes say nothing of a value's error: what they change is its rounding, that of single precision at most.
+bool unseen(const LadderValue& v, double size) {
+    return no_more_than_rounding(v.own, size) ||
+           (v.estimate.convergence == Convergence::unchanged && v.own <= 2e-6 * size);
+}
+
 void judge_pair(LadderDifference& d, const LadderQuantity& q, const std::vector<LadderSide>& sides, double target,
                 double scale) {
     const LadderValue &a = q.values[d.a], &b = q.values[d.b];
@@ -122,7 +128,7 @@ void judge_pair(LadderDifference& d, const LadderQuantity& q, const std::vector<
             return;
         }
     for (const std::size_t k : {d.a, d.b})
-        if (no_more_than_rounding(q.values[k].own, S) && !no_more_than_rounding(d.difference, S)) {
+        if (unseen(q.values[k], S) && !no_more_than_rounding(d.difference, S)) {
             d.verdict = Verdict::not_converged;
             d.reason = method_label(sides[k].method) +
                        ": the values do not change with the size, so no uncertainty can be estimated";

@@ -118,7 +118,7 @@ TrendNoise trend_noise(std::span<const StudyLevel> levels, double p_th) {
     if (same_but_for_rounding(low, high, largest_magnitude(levels))) {
         t.trend = t.sigma = t.phi0_interval = t.phi1_interval = 0;
         t.phi0 = t.phi1 = levels[0].value;
-        t.uncertainty = high.value - low.value + levels[0].rounding;
+        t.uncertainty = high.value - low.value;
         t.uncertainties.assign(levels.size(), t.uncertainty);
         return t;
     }
