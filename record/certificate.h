@@ -13,6 +13,7 @@ inline constexpr const char* orphans_line = "orphans at a zone's edge";
 inline constexpr const char* interface_line = "energy made at an elastic body (added mass)";
 /// Of the particles: how much less room (or more) they take inside the water than their densities say.
 inline constexpr const char* crowding_line = "crowding of the particles";
+inline constexpr double largest_crowding = 0.01;  ///< [-]
 /// The number of a record [J, in two dimensions J/m]: the most that surface tension can give to the water's motion.
 inline constexpr const char* energy_of_surface = "energy_of_surface";
 /// Whether a line that is not met warns only: the run's other numbers may be used, with this in mind.

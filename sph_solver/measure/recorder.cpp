@@ -207,7 +207,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     const double crowded = crowding(simulation);
     t.set(k, "crowding", "-", crowded);
     if (std::isfinite(crowded))
-        note_worst(record_, {crowding_line, "%", 100 * std::abs(crowded), 1, simulation.time()});
+        note_worst(record_, {crowding_line, "%", 100 * std::abs(crowded), 100 * largest_crowding, simulation.time()});
     t.set(k, "dt", "s", simulation.dt());
     t.set(k, "max_speed", "m/s", fastest);
     t.set(k, "max_mach", "-", fastest / c0);

@@ -12,7 +12,9 @@
 #include <numbers>
 
 #include "prism.h"
+#include "record/certificate.h"
 #include "sph_solver/fit_solids.h"
+#include "sph_solver/measure/packing.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -52,6 +54,7 @@ struct Rest {
     double kinetic = 0;       ///< over the potential energy, at the end
     double packing = 0;       ///< mean of the kernel supports under water less 1
     double most_crowded = 0;  ///< the largest of them less 1
+    double crowding = 0;      ///< of the certificate
 };
 
 /// Mean height at which the kernel support is a half, over columns of samples clear of the walls.
@@ -107,6 +110,7 @@ Rest rest_round(const Solid& solid, double dp, double h_over_dp, double packing,
         r.packing += crowded, r.most_crowded = std::max(r.most_crowded, crowded), ++count;
     }
     r.packing /= count;
+    r.crowding = crowding(simulation);
     r.kinetic = kinetic / potential;
     return r;
 }
@@ -129,16 +133,18 @@ TEST(StillWaterRoundSolids, KeepsItsVolumePressesAndRests) {
             EXPECT_NEAR(r.force, 1, 0.01) << solid.name << h_over_dp;
             EXPECT_LT(r.kinetic, 1e-4) << solid.name << h_over_dp;
             EXPECT_LT(std::abs(r.packing), 0.003) << solid.name << h_over_dp;
+            EXPECT_LT(std::abs(r.crowding), largest_crowding / 2) << solid.name << h_over_dp;
         }
 }
 
-/// The fault that the term mends, or the test above sees nothing.
+/// The fault that the term mends, or the test above sees nothing. The certificate of a run tells it.
 TEST(StillWaterRoundSolids, ShrinksAndStirsWhereDensityDoesNotFollowPacking) {
     const Rest r = shown(box, 0.02, 1.55, 0, 4);
     EXPECT_LT(r.volume, -0.006);
     EXPECT_GT(r.kinetic, 5e-4);
     EXPECT_GT(r.packing, 0.008);
     EXPECT_GT(r.most_crowded, 0.04);
+    EXPECT_GT(r.crowding, largest_crowding);
 }
 
 }  // namespace still_water_round_solids_test
