@@ -5,9 +5,9 @@
 #
 # In every .md file: relative links and their anchors, and files named in `code`: with a folder (`scene/keys.cpp`) they
 # stand there or below the page's own folder, without (`keys.cpp`) anywhere. Capitals and stars mark a placeholder. In
-# sources: paths of headers and pages named in comments. With --program also the commands of the pages: subcommands and
-# long options of `twinwake ...` in its own --help. Pages of docs/decisions and CHANGELOG.md tell what was, so files and
-# commands named there may have gone; their links may not.
+# sources: paths of headers and pages named in comments. In docs/audit.md: the tests named there. With --program also the
+# commands of the pages: subcommands and long options of `twinwake ...` in its own --help. Pages of docs/decisions and
+# CHANGELOG.md tell what was, so files and commands named there may have gone; their links may not.
 # Exit status: 0 nothing found, 1 something found (one line each), 2 wrong usage.
 set -uo pipefail
 program=""
@@ -81,6 +81,17 @@ for page in "${pages[@]}"; do
              grep -E '^[a-z0-9_./-]+\.(h|cpp|sh)$|^[a-z0-9_./-]+/[a-z0-9_.-]+\.(md|txt|js|in|csv|bash|toml|stl)$|^[a-z_0-9/]+/$' |
              sed 's|^\./||' | grep -vE '^(runs|build[a-z-]*|case|constant|system)/|(^|/)my_')
 done
+
+# --- tests named in the table of what can go wrong
+if [ -n "${exists[docs/audit.md]:-}" ]; then
+    declare -A tests=()
+    while IFS= read -r name; do tests[$name]=1; done < <(
+        printf '%s\n' "${!exists[@]}" | grep -E '^tests/.*\.cpp$' | xargs -r grep -hoE \
+            '^TEST(_[FP])?\([A-Za-z0-9]+, *[A-Za-z0-9]+\)' | sed -E 's/^TEST[_FP]*\((.*), *(.*)\)$/\1.\2/')
+    while IFS= read -r name; do
+        [ -n "${tests[$name]:-}" ] || tell "docs/audit.md: no such test ($name)"
+    done < <(grep -oE '`[A-Z][A-Za-z0-9]*\.[A-Z][A-Za-z0-9]*`' docs/audit.md | tr -d '`' | sort -u)
+fi
 
 # --- paths named in comments of sources
 rooms=$(printf '%s\n' "${!exists[@]}" | sed -n 's|/.*||p' | sort -u | grep -E '^[a-z_]+$' | paste -sd '|')

@@ -36,6 +36,13 @@ expect '`scene/gone.cpp`' 'README.md: no such file (scene/gone.cpp)'
 expect '`gone.h`' 'README.md: no such file (gone.h)'
 expect '`twinwake walk my.toml`' 'README.md: twinwake has no command walk'
 expect '`twinwake run my.toml --speed 3`' 'README.md: twinwake run has no option --speed'
+mkdir -p "$folder/tests"
+printf 'TEST(Waves, Decay) {}\nTEST_F(Waves, Break) {}\n' >"$folder/tests/waves_test.cpp"
+printf '| a wave | `Waves.Decay`, `Waves.Break` |\n' >"$folder/docs/audit.md"
+expect '' ''
+printf '| a wave | `Waves.Grow` |\n' >"$folder/docs/audit.md"
+expect '' 'docs/audit.md: no such test (Waves.Grow)'
+rm "$folder/docs/audit.md"
 echo '// see docs/gone.md' >"$folder/scene/keys.cpp"
 expect '' 'scene/keys.cpp:1: no such file (docs/gone.md)'
 exit $wrong
