@@ -95,26 +95,33 @@ private:
     std::map<LatticeCell, std::size_t> particle_;
 };
 
-/// Fills the cells that a solid cuts as its water asks for. Returns whether it cuts any.
-bool fill_cut_cells(LatticeCells& cells, const SurfaceQuery& solid, const Box& bounds, double dp) {
+/// Fills the cells that solids cut as the water outside all of them asks for, and marks the solids that cut any. What is
+/// cut by two counts once, and what of a solid's face is inside another one is no face.
+void fill_cut_cells(LatticeCells& cells, std::span<const SurfaceQuery> solids, std::span<const BodySetup> bodies,
+                    double dp, std::vector<char>& cuts) {
     const Vec3 edges = cells.edges();
     const double reach = cells.flat() ? std::hypot(edges.x(), edges.z()) : edges.norm(), clear = clear_over_dp * dp;
+    const auto in_water = [&](const Vec3& x) {
+        return std::ranges::all_of(solids, [&](const SurfaceQuery& q) { return q.nearest(x, 2 * reach).distance > 0; });
+    };
     std::map<LatticeCell, CutCell> cut;
     std::map<LatticeCell, double> share;
-    cells.each_near(bounds, [&](const LatticeCell& c) {
-        const Vec3 middle = cells.middle(c);
-        if (solid.nearest(middle, reach).triangle < 0) return;
-        const CutCell water = cut_cell(middle, edges, cells.flat(),
-                                       [&](const Vec3& x) { return solid.nearest(x, 2 * reach).distance > 0; });
-        if (water.within > 0 && water.within < water.samples) cut[c] = water, share[c] = water.of(1);
-    });
+    for (std::size_t b = 0; b < solids.size(); ++b)
+        cells.each_near(bodies[b].surface.bounds(), [&](const LatticeCell& c) {
+            const Vec3 middle = cells.middle(c);
+            if (solids[b].nearest(middle, reach).triangle < 0) return;
+            const CutCell water = cut_cell(middle, edges, cells.flat(), in_water);
+            if (water.within == 0 || water.within == water.samples) return;
+            cut[c] = water, share[c] = water.of(1), cuts[b] = 1;
+        });
     for (const auto& [c, water] : cut) {
         const bool filled = share[c] >= 0.5;
         const double left = share[c] - (filled ? 1 : 0);
         if (filled) {
             Vec3 x = water.centroid;
-            const SurfaceQuery::Nearest at = solid.nearest(x, reach);
-            if (at.distance < clear) x += (clear - at.distance) * at.normal;
+            for (const SurfaceQuery& solid : solids)
+                if (const SurfaceQuery::Nearest at = solid.nearest(x, reach); at.distance < clear)
+                    x += (clear - at.distance) * at.normal;
             cells.fill(c, x);
         } else {
             cells.empty(c);
@@ -126,7 +133,6 @@ bool fill_cut_cells(LatticeCells& cells, const SurfaceQuery& solid, const Box& b
                     if (const LatticeCell d = beside(c, i, j, k); c < d && cut.contains(d)) next.push_back(d);
         for (const LatticeCell& d : next) share[d] += left / double(next.size());
     }
-    return !cut.empty();
 }
 
 void take_out(Fluid& fluid) {
@@ -180,8 +186,7 @@ void fit_to_solids(const SimulationSetup& s, std::span<const Box> blocks, std::s
         for (const std::vector<Box>& water : waters)
             for (const Lattice& lattice : lattices_of(s.dimensions, dp, water, static_cast<int>(k))) {
                 LatticeCells cells(lattice, zone, levels[k]);
-                for (std::size_t b = 0; b < solids.size(); ++b)
-                    if (fill_cut_cells(cells, solids[b], s.bodies[b].surface.bounds(), dp)) unfit[b] = 1;
+                fill_cut_cells(cells, solids, s.bodies, dp, unfit);
                 take_out(levels[k]);
             }
         std::vector<const SurfaceQuery*> of;

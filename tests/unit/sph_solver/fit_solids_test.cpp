@@ -92,6 +92,17 @@ TEST(FitSolids, FillsAsManyPlacesAsTheWaterAsksForAndEvenly) {
     expect_fitted(3, {Vec3(-0.05, -0.3, -0.29), Vec3(0.055, 0.3, -0.12)});
 }
 
+/// Two boxes that go into each other: a face of the one that is inside the other bounds no water.
+TEST(FitSolids, FillsNothingInsideASolidWhereAnotherOneEnds) {
+    Filled f = filled_round(2, {Vec3(-0.1, -3, -0.3), Vec3(0.1, 3, -0.1)});
+    f.setup.bodies.emplace_back(box_surface({Vec3(-0.03, -3, -0.35), Vec3(0.03, 3, -0.11)}));
+    f.plain = f.fitted = fill_with_fluid(f.setup, {f.water});
+    fit_to_solids(f.setup, std::span(&f.water, 1), std::span(&f.fitted, 1));
+    const double space = 0.6 * 0.4 - 0.2 * 0.2 - 0.06 * 0.05;
+    EXPECT_NEAR(double(f.fitted.places.size()) * f.fitted.volume / space, 1, 0.003);
+    for (const BodySetup& body : f.setup.bodies) EXPECT_GT(nearest_to(body.surface, f.fitted), 0);
+}
+
 TEST(FitSolids, LeavesStreamsAlone) {
     Filled f = filled_round(2, {Vec3(-0.03, -3, -0.29), Vec3(0.03, 3, -0.1)});
     f.setup.stream = Stream{1, 0.5, 0.1};
