@@ -32,7 +32,9 @@ std::optional<double> largest(const RunRecord& record, const std::string& column
     return most;
 }
 
-std::optional<double> time_mean(const RunRecord& record, const std::string& table, const std::string& column) {
+/// Of the rows from `mean_from` on in which the column is known, and `where` too.
+std::optional<double> time_mean(const RunRecord& record, const std::string& table, const std::string& column,
+                                const Column* where = nullptr) {
     const Column* c = record.series(table, column);
     if (!c) return {};
     const auto& time = record.tables.at(table).time;
@@ -40,7 +42,8 @@ std::optional<double> time_mean(const RunRecord& record, const std::string& tabl
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
-        if (time[i] >= from && std::isfinite(c->values[i])) sum += c->values[i], ++count;
+        if (time[i] >= from && std::isfinite(c->values[i]) && (!where || std::isfinite(where->values[i])))
+            sum += c->values[i], ++count;
     if (count == 0) return {};
     return sum / count;
 }
@@ -224,7 +227,8 @@ std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) 
                     "of drag belong to this lift, and {:.4g} N were found; the difference acts on the edges",
                     expected, *drag));
     }
-    const auto sum = time_mean(record, "forces", "fz"), surface = time_mean(record, "forces", "fz_surface"),
+    const Column* const sampled = record.series("forces", "fz_surface");  // more rarely than the pairs sum
+    const auto sum = time_mean(record, "forces", "fz", sampled), surface = time_mean(record, "forces", "fz_surface"),
                volume = time_mean(record, "forces", "fz_volume");
     // What is left of a load up and a load down that nearly cancel is known no better than they are.
     const double of_load = 0.1 * load_up_and_down(record), scale = std::max(std::abs(sum.value_or(0)), of_load);
