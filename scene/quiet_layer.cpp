@@ -139,7 +139,6 @@ const MovingBody* slowest_in_deep_water(const Scene& scene) {
 double excess_of_drag(const SlowBody& body) { return std::min(1.0, 0.003 * body.hydrostatic / body.dynamic); }
 
 void warn_of_slow_bodies(Scene& scene) {
-    constexpr double spacings = 10;
     if (!scene.effect_on("viscosity")) return;
     warn_of_slow_hull(scene);
     for (MovingBody& body : scene.bodies) {
@@ -152,11 +151,14 @@ void warn_of_slow_bodies(Scene& scene) {
                  fmt::format("{} moves at about {:.2g} m/s, Re = {:.2g}: {}", body.name, s.speed, s.reynolds, text),
                  body.motion.mass.centre});
         };
-        if (s.size < 0.95 * spacings * scene.resolution.near_hull)  // facets take a little
+        // five in the layer of 1.2 D/sqrt(Re) where the water meets it, as vortex_shedding.h asks for
+        const double spacings = std::max(10.0, 5 / 1.2 * std::sqrt(s.reynolds)),
+                     across = s.size / scene.resolution.near_hull;
+        if (across < 0.95 * spacings)  // facets take a little
             warn(fmt::format(
-                "its drag is right to 5 % from {:g} spacings in its diameter on (here {:.2g}); take near_hull = "
-                "{:.2g} m or less",
-                spacings, s.size / scene.resolution.near_hull, s.size / spacings));
+                "its drag wants ten spacings in its diameter and five in its boundary layer, {:.2g} m or less "
+                "(here {:.2g} m)",
+                s.size / spacings, scene.resolution.near_hull));
         if (scene.effect_on("dynamic_pressure") || s.hydrostatic <= 10 * s.dynamic) continue;
         const std::string why = no_quiet_layer(scene);
         warn(fmt::format(

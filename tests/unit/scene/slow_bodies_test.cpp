@@ -61,8 +61,22 @@ TEST(SlowBodies, FastOnesAndThoseAtTheSurfaceKeepTheWholePressure) {
         << refused;
     // and the plan says by how much its drag will be off
     bool warned = false;
-    for (const Finding& f : scene_of(near).bodies[0].findings) warned = warned || f.name == "slow_body";
+    const Scene shallow = scene_of(near);
+    for (const Finding& f : shallow.bodies[0].findings) warned = warned || f.name == "slow_body";
     EXPECT_TRUE(warned);
+}
+
+TEST(SlowBodies, TooFewSpacingsAreWarnedOf) {
+    const auto warned = [](const std::string& text) {
+        const Scene scene = scene_of(text);
+        for (const Finding& f : scene.bodies[0].findings)
+            if (f.message.find("wants ten spacings") != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_FALSE(warned(settling));
+    EXPECT_TRUE(warned(with(settling, "near_hull = \"2 mm\"", "near_hull = \"2.5 mm\"")));
+    // at Re = 40 its layer is 1.2 D/sqrt(Re) = 3.8 mm
+    EXPECT_TRUE(warned(with(settling, "1e-3 m2/s", "1e-4 m2/s")));
 }
 
 TEST(SlowBodies, AHullDeepInASlowStreamIsWarnedOf) {
@@ -71,7 +85,8 @@ TEST(SlowBodies, AHullDeepInASlowStreamIsWarnedOf) {
         "[motion]\nspeed = 0.1\n[domain]\ndimensions = 2\nx = [-0.16, 0.24]\nz = [-0.36, 0.02]\n"
         "[resolution]\nnear_hull = \"2 mm\"\n[effects]\nviscosity = \"on\"\n";
     const auto warned = [](const std::string& text) {
-        for (const Finding& f : scene_of(text).hull->findings)
+        const Scene scene = scene_of(text);
+        for (const Finding& f : scene.hull->findings)
             if (f.name == "slow_body") return f.message.find("Re = 20, and ") == 0;
         return false;
     };
