@@ -154,7 +154,9 @@ Quantity arrival_at(const Comparison& c, const std::string& table, const std::st
             table, 1e3 * window));
     for (std::size_t s = 0; s < histories.size(); ++s) {
         const History& h = histories[s];
-        const double peak = largest_window_mean(h.t, h.lasts, window), first = h.x.empty() ? peak : h.x.front();
+        const double lasting_peak = largest_window_mean(h.t, h.lasts, window),
+                     peak = std::isfinite(lasting_peak) ? lasting_peak : largest_window_mean(h.t, h.x, window),
+                     first = h.x.empty() ? peak : h.x.front();
         const double arrives =
             peak > first ? arrival_time(h.t, h.x, first + arrival_share * (peak - first)) : std::nan("");
         q.values.push_back(reading(arrives, h, "nothing arrives in the time that all records cover"));
