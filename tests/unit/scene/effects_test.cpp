@@ -63,6 +63,10 @@ TEST(Effects, SwitchingOneChangesTheSceneHashAndItsParametersCountOnlyThen) {
     const std::string tank =
         "[tank]\nsize = [1, 0.5, 0.8]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]\n"
         "[resolution]\nnear_hull = 0.05\n";
+    const std::string sinking =
+        "[tank]\nmin = [-0.05, 0, -0.25]\nmax = [0.05, 0.001, 0.02]\n[domain]\ndimensions = 2\n"
+        "[[body]]\nshape = \"cylinder\"\ndiameter = 0.02\ndraft = 0.12\ndensity = 1200\n"
+        "[resolution]\nnear_hull = 0.002\n[motion]\nkind = \"none\"\n";
     for (const EffectPart& part : effects()) {
         if (part.solved == EffectPart::Solved::by_neither) continue;
         SceneOverrides on, off;
@@ -71,7 +75,9 @@ TEST(Effects, SwitchingOneChangesTheSceneHashAndItsParametersCountOnlyThen) {
             if (effect_part(other).needs == part.name) on.effects[other] = off.effects[other] = false;
         on.effects[part.name] = true;
         off.effects[part.name] = false;
-        const std::string& text = part.name == "friction" ? planing : tank;  // the line is for a hull in a stream
+        const std::string& text = part.name == "friction"           ? planing  // the line is for a hull in a stream
+                                  : part.name == "dynamic_pressure" ? sinking  // for a body deep in water
+                                                                    : tank;
         const Scene with_it = scene_of(text, on), without = scene_of(text, off);
         EXPECT_TRUE(with_it.effect_on(part.name));
         EXPECT_FALSE(without.effect_on(part.name));
