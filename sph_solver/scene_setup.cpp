@@ -15,6 +15,7 @@
 #include "scene/walls_met.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/effects/effects.h"
+#include "sph_solver/equations/packing.h"
 #include "sph_solver/fit_solids.h"
 #include "sph_solver/start_pressure.h"
 #include "structure/tyre_static.h"
@@ -251,6 +252,8 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         }
         blocks.push_back(water);
     }
+    if (scene.motion.kind == Motion::Kind::none && !scene.tank_motion && !scene.hull && scene.bodies.empty())
+        s.packing = Packing::k;
     setup.fluid = fill_levels(s, blocks);
     fit_to_solids(s, blocks, setup.fluid);
     setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);

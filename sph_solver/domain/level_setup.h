@@ -5,7 +5,6 @@
 #include "base/vec3.h"
 #include "scene/scene.h"
 #include "sph_solver/domain/extremes.h"
-#include "sph_solver/equations/packing.h"
 #include "sph_solver/equations/state_equation.h"
 
 namespace tw {
@@ -26,7 +25,7 @@ struct LevelSetup {
     /// How full the kernel's half towards a wall has to be for the wall to compress the water, see WallTouch.
     double touch_support = SphOptions{}.touch_support;
     /// How fast density follows the particles' packing beside solids, k of Packing; 0 or no shifting: not at all.
-    double packing = Packing::k;
+    double packing = 0;
     /// Shifting acts from this support on; near the free surface only along it.
     double shifting_support = 0.95;
     /// Inside the water (kernel support above `shifting_support`, no wall within reach) p_j - p_i in place of p_j + p_i
