@@ -13,6 +13,7 @@
 
 #include "prism.h"
 #include "record/certificate.h"
+#include "sph_solver/equations/packing.h"
 #include "sph_solver/fit_solids.h"
 #include "sph_solver/measure/packing.h"
 #include "sph_solver/simulation.h"
