@@ -25,11 +25,11 @@ double crowding(const Simulation& simulation) {
     double by_density = 0, by_packing = 0;
     for (const auto& level : simulation.water()) {
         const Particles& p = level->particles();
-        if (p.shift_support.empty()) continue;
         const double rho0 = level->setup().rho0;
         const Volumes sums = level->sum_over_all<Volumes>([&](Volumes& sum, std::size_t i) {
+            if (p.kind[i] != Kind::fluid || p.shift_support.empty()) return;  // all ranks sum, with particles or without
             const double S = double(p.shift_support[i].support);
-            if (p.kind[i] != Kind::fluid || !(S > inside_from)) return;
+            if (!(S > inside_from)) return;
             const double V = rho0 / (rho0 + double(p.drho[i]));
             sum.by_density += V;
             sum.by_packing += V / S;
