@@ -16,7 +16,8 @@ namespace tw {
 ///    with them, so that the pressure stays that of the place.
 ///
 /// A solid whose faces are faces of cells changes nothing. Streams carry their start away and are left as they are; so
-/// are particles near the edge of a zone and beyond. `levels`: of `fill_levels`; their pressures at the start are found afterwards.
+/// are particles near the edge of a zone and beyond. `levels`: of `fill_levels`; their pressures at the start are found
+/// afterwards.
 void fit_to_solids(const SimulationSetup& setup, std::span<const Box> blocks, std::span<Fluid> levels);
 
 }  // namespace tw
