@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "base/read_file.h"
 #include "base/errors.h"
+#include "base/read_file.h"
 #include "scene/attitude.h"
 #include "scene/check_scene.h"
 #include "scene/defaults.h"
@@ -128,85 +128,114 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
     return s;
 }
 
-Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
-    Scene scene;
-    scene.file = file;
-    scene.text = read_text_within(file, largest_document);
-    TextValue document = parse_document(scene.text, file);
-    apply(overrides, document);
-    Sections s = split_sections(file, document);
-    const SceneSection& particles = s.numerics.at("sph");
-    scene.title = s.root.text("title", file.stem().string());
+namespace {
 
+/// A scene between its text and its defaults: what the sections say that is still to be worked out.
+struct Reading {
+    Sections sections;
+    const SceneOverrides& overrides;
+    Scene scene = {};
+    /// Of the place [m]; of the stream [s]; edge of the raster's voxels [m].
+    std::optional<double> depth = {}, ramp = {}, voxel = {};
+    ResolutionOptions resolution = {};
+    DomainOptions domain = {};
+    std::optional<Box> tank = {};
+    std::optional<HullOptions> hull = {};
+};
+
+void read_sections(Reading& r) {
+    Scene& scene = r.scene;
+    Sections& s = r.sections;
+    scene.title = s.root.text("title", scene.file.stem().string());
     note_places(s, scene);
-    const std::optional<double> depth = read_water(s.water, scene),
-                                ramp = read_motion(s.motion, scene, s.hull.present()),
-                                voxel = read_sampling(s.sampling, s.probes, scene);
+    r.depth = read_water(s.water, scene);
+    r.ramp = read_motion(s.motion, scene, s.hull.present());
+    r.voxel = read_sampling(s.sampling, s.probes, scene);
     const auto read_all = [&](SceneSection& section) {
         section.read_into(scene);
         section.finish();
     };
     read_all(s.run);
     for (auto& [method, section] : s.numerics) read_all(section);
-    const ResolutionOptions resolution = read_resolution(s.resolution);
-    const DomainOptions domain = read_domain(s.domain);
-    scene.tank_motion = read_tank_motion(s.tank, domain.dimensions);
-    const std::optional<Box> tank = read_tank(s.tank);
+    r.resolution = read_resolution(s.resolution);
+    r.domain = read_domain(s.domain);
+    scene.tank_motion = read_tank_motion(s.tank, r.domain.dimensions);
+    r.tank = read_tank(s.tank);
     scene.water_blocks = read_water_blocks(s.water_blocks);
+}
+
+void read_solids(Reading& r) {
+    Scene& scene = r.scene;
+    Sections& s = r.sections;
+    const int dimensions = r.domain.dimensions;
     for (std::size_t i = 0; i < s.obstacles.size(); ++i)
         scene.obstacles.push_back(read_obstacle(s.obstacles[i], i + 1));
     refuse_same_names(scene.obstacles, s.obstacles);
     std::vector<std::optional<ElasticPart>> elastic =
-        read_elastic(s.bodies, s.plies, s.gauges, domain.dimensions, scene.water.gravity);
+        read_elastic(s.bodies, s.plies, s.gauges, dimensions, scene.water.gravity);
     for (std::size_t i = 0; i < s.bodies.size(); ++i) {
         const double filter = s.bodies[i].number("filter", 0);
-        scene.bodies.push_back(!elastic[i] ? read_body(s.bodies[i], i + 1, domain.dimensions)
+        scene.bodies.push_back(!elastic[i] ? read_body(s.bodies[i], i + 1, dimensions)
                                : std::holds_alternative<ElasticTyre>(*elastic[i])
                                    ? tyre_body(s.bodies[i], i + 1, std::get<ElasticTyre>(std::move(*elastic[i])))
                                    : elastic_body(s.bodies[i], i + 1, std::get<ElasticPlate>(std::move(*elastic[i]))));
         scene.bodies.back().filter = filter;
     }
     refuse_same_names(scene.bodies, s.bodies);
+    if (s.hull.present()) r.hull = read_hull(s.hull);
+}
 
-    std::optional<HullOptions> hull;
-    if (s.hull.present()) {
-        hull = read_hull(s.hull);
-        hull->hull.section = domain.dimensions == 2;
-        if (hull->hull.section && hull->hull.half)
-            s.hull.fail("half", "two dimensions are the plane y = 0 and have no halves; remove this key");
-        const auto measure = [&] {
-            const Vec3 size = hull->hull.surface.bounds().size();
-            hull->hull.length = size.x();
-            hull->hull.beam = size.y();
-        };
-        measure();
-        scene.resolution = resolution_of(resolution, &hull->hull, s.resolution, overrides.scale_resolution.value_or(1));
-        check_health(*hull, scene.resolution.near_hull, s.hull);
-        if (hull->hull.section) take_section(*hull, s.hull);
-        measure();
-        check_sizes(scene.resolution, {hull->hull.length, hull->hull.section ? hull->hull.length : hull->hull.beam},
-                    "the hull", s.resolution);
-        if (hull->hull.half) make_halves_alike(hull->hull, scene.resolution, s.hull);
-        hull->hull.hash = surface_hash(hull->hull.surface);
-        hull->hull.mass = mass_properties(hull->hull.surface);
-        hull->hull.still = hydrostatics(hull->hull.surface);
-        if (hull->free) stand_free_hull(*hull, scene.water.density);
-        scene.hull = hull->hull;
-    } else {
-        scene.resolution = resolution_of(resolution, nullptr, s.resolution, overrides.scale_resolution.value_or(1));
-    }
+/// The hull as it is solved: its section in two dimensions, both halves alike, with its mass and hydrostatics. The
+/// resolution may follow from its size, and its health is judged by the resolution.
+void settle_hull(Reading& r) {
+    SceneSection &s = r.sections.hull, &of_sizes = r.sections.resolution;
+    HullOptions& options = *r.hull;
+    Hull& hull = options.hull;
+    hull.section = r.domain.dimensions == 2;
+    if (hull.section && hull.half)
+        s.fail("half", "two dimensions are the plane y = 0 and have no halves; remove this key");
+    const auto measure = [&] {
+        const Vec3 size = hull.surface.bounds().size();
+        hull.length = size.x();
+        hull.beam = size.y();
+    };
+    measure();
+    Resolution& resolution = r.scene.resolution;
+    resolution = resolution_of(r.resolution, &hull, of_sizes, r.overrides.scale_resolution.value_or(1));
+    check_health(options, resolution.near_hull, s);
+    if (hull.section) take_section(options, s);
+    measure();
+    check_sizes(resolution, {hull.length, hull.section ? hull.length : hull.beam}, "the hull", of_sizes);
+    if (hull.half) make_halves_alike(hull, resolution, s);
+    hull.hash = surface_hash(hull.surface);
+    hull.mass = mass_properties(hull.surface);
+    hull.still = hydrostatics(hull.surface);
+    if (options.free) stand_free_hull(options, r.scene.water.density);
+    r.scene.hull = hull;
+}
+
+void settle_sizes(Reading& r) {
+    Scene& scene = r.scene;
+    if (r.hull)
+        settle_hull(r);
+    else
+        scene.resolution =
+            resolution_of(r.resolution, nullptr, r.sections.resolution, r.overrides.scale_resolution.value_or(1));
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        if (scene.bodies[i].plate()) stand_elastic(scene.bodies[i], scene.resolution.near_hull, s.bodies[i]);
-    // A stream without a hull has no length to settle over: its ramp is the domain's, so the domain comes first.
-    const auto make_domain = [&] { scene.domain = domain_of(domain, tank, scene, s, depth); };
-    const bool free_hull = scene.hull_is_free();
-    if ((resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion && !particles.has("levels") &&
-        !s.effects.on_off("air").value_or(false))
+        if (scene.bodies[i].plate()) stand_elastic(scene.bodies[i], scene.resolution.near_hull, r.sections.bodies[i]);
+}
+
+void settle_domain(Reading& r) {
+    Scene& scene = r.scene;
+    Sections& s = r.sections;
+    const auto make_domain = [&] { scene.domain = domain_of(r.domain, r.tank, scene, s, r.depth); };
+    if ((r.resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion &&
+        !s.numerics.at("sph").has("levels") && !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
         make_domain();
     if (scene.hull) {
-        check_hull_place(scene, s, hull->key);
+        check_hull_place(scene, s, r.hull->key);
         for (Finding& f : check_attitude(scene)) scene.hull->findings.push_back(std::move(f));
     }
     if (scene.motion.kind == Motion::Kind::stream && !scene.water_blocks.empty())
@@ -218,51 +247,97 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
                       "z = 0, or [[water_block]]");
     check_places(scene, s);
     check_bodies(scene, s);
+}
 
-    const double gravity = scene.water.gravity;  // what is planned is a scene without it, where it is off
-    if (scene.motion.kind == Motion::Kind::stream && !s.effects.on_off("gravity").value_or(true))
-        scene.water.gravity = 0;
-    scene.motion.ramp = ramp.value_or(default_ramp(scene));
-    if (free_hull) scene.hull->free->motion.release = hull->free->release.value_or(scene.motion.ramp);
-    fill_times(scene);
-    check_free_hull(scene, s);
-    if (!overrides.interface.empty()) scene.fvm.interface = overrides.interface;
+void settle_courant_numbers(Scene& scene) {
     // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
     if (scene.fvm.max_alpha_courant == 0 && scene.fvm.captures_geometrically())
         scene.fvm.max_alpha_courant = std::min(2.0, default_courant(scene));
     for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
         if (*courant == 0) *courant = default_courant(scene);
+}
+
+/// Times, Courant numbers and sound speed. They are those of a scene without gravity, where that effect is off; what a
+/// stream without a hull settles over is its domain's length, so the domain comes first.
+void settle_times(Reading& r) {
+    Scene& scene = r.scene;
+    Sections& s = r.sections;
+    const double gravity = scene.water.gravity;
+    if (scene.motion.kind == Motion::Kind::stream && !s.effects.on_off("gravity").value_or(true))
+        scene.water.gravity = 0;
+    scene.motion.ramp = r.ramp.value_or(default_ramp(scene));
+    if (scene.hull_is_free()) scene.hull->free->motion.release = r.hull->free->release.value_or(scene.motion.ramp);
+    fill_times(scene);
+    check_free_hull(scene, s);
+    if (!r.overrides.interface.empty()) scene.fvm.interface = r.overrides.interface;
+    settle_courant_numbers(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     check_sound_speed(scene);
     scene.water.gravity = gravity;
-    if (overrides.box_factor != 1)  // only now: the sound speed follows from the box that the scene asks for
-        scene.domain = domain_of(domain, tank, scene, s, depth, overrides.box_factor);
+}
+
+/// What the command line asks of a run beside the scene's own words. A larger box comes only now: the sound speed
+/// follows from the box that the scene asks for.
+void apply_to_run(Reading& r) {
+    Scene& scene = r.scene;
+    const SceneOverrides& o = r.overrides;
+    if (o.box_factor != 1) scene.domain = domain_of(r.domain, r.tank, scene, r.sections, r.depth, o.box_factor);
     scene.water.depth = water_height(scene) + (scene.domain.as_asked.min.z() - scene.domain.box.min.z());
-    if (!overrides.device.empty()) scene.run.device = overrides.device;
-    scene.sph.cfl *= overrides.time_step_factor;
-    scene.fvm.max_courant *= overrides.courant_factor;
-    scene.fvm.max_alpha_courant *= overrides.courant_factor;
+    if (!o.device.empty()) scene.run.device = o.device;
+    scene.sph.cfl *= o.time_step_factor;
+    scene.fvm.max_courant *= o.courant_factor;
+    scene.fvm.max_alpha_courant *= o.courant_factor;
+}
+
+void settle_places(Reading& r) {
+    Scene& scene = r.scene;
+    Sections& s = r.sections;
     scene.refined = read_refined(s.refined, scene);
     refuse_same_names(scene.refined, s.refined);
     scene.refinement = default_refinement(scene);
     const double two_particles = (scene.domain.dimensions == 2 ? 1 : 2) * scene.resolution.near_hull;
-    scene.sampling.raster = default_raster(scene, voxel.value_or(two_particles));
-    scene.sampling.raster.chosen = voxel.has_value();
-    if (voxel && voxels(scene.sampling.raster) > most_voxels)
+    scene.sampling.raster = default_raster(scene, r.voxel.value_or(two_particles));
+    scene.sampling.raster.chosen = r.voxel.has_value();
+    if (r.voxel && voxels(scene.sampling.raster) > most_voxels)
         s.sampling.fail(
             "raster_spacing",
             fmt::format("makes a raster of more than {:.0e} voxels; expected about {:.3g} m, twice near_hull",
                         most_voxels, two_particles));
+}
+
+/// Effects, and what can be judged only with them.
+void settle_effects(Reading& r) {
+    Scene& scene = r.scene;
+    Sections& s = r.sections;
     scene.effects = plan_effects(scene, s.effects);
-    scene.sph.c0 *= overrides.sound_speed_factor;
+    scene.sph.c0 *= r.overrides.sound_speed_factor;
     check_elastic(scene, s);
     warn_of_slow_bodies(scene);
-    check_gate(scene, particles);
+    check_gate(scene, s.numerics.at("sph"));
     check_tank_motion(scene, s);
     if (const auto shedding = check_vortex_shedding(scene)) scene.hull->findings.push_back(*shedding);
-    scene.hash = scene_hash(scene);
-    return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+    std::string text = read_text_within(file, largest_document);
+    TextValue document = parse_document(text, file);
+    apply(overrides, document);
+    Reading r{.sections = split_sections(file, document), .overrides = overrides};
+    r.scene.file = file;
+    r.scene.text = std::move(text);
+    read_sections(r);
+    read_solids(r);
+    settle_sizes(r);
+    settle_domain(r);
+    settle_times(r);
+    apply_to_run(r);
+    settle_places(r);
+    settle_effects(r);
+    r.scene.hash = scene_hash(r.scene);
+    return std::move(r.scene);
 }
 
 std::string Scene::place_of(const std::string& key) const {
