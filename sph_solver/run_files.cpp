@@ -1,8 +1,14 @@
 #include "sph_solver/run_files.h"
 
+#include <fmt/format.h>
+
 #include <utility>
+#include <vector>
+
+#include "base/errors.h"
 
 namespace tw {
+namespace fs = std::filesystem;
 
 RunFiles::RunFiles(const std::filesystem::path& folder, std::string run_hash, const Comm& ranks, bool beside_steps)
     : record_(folder / "record.h5"),
@@ -32,6 +38,31 @@ void RunFiles::write_here(RunOutput& output) {
     if (output.picture) pictures_.write(*std::exchange(output.picture, {}));
     if (output.record) write_record(record_, *std::exchange(output.record, {}));
     if (output.checkpoint) write_checkpoint(checkpoint_, run_hash_, *std::exchange(output.checkpoint, {}));
+}
+
+std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash) {
+    const fs::path &record_file = files.record(), &checkpoint_file = files.checkpoint();
+    EarlierRun run;
+    if (fs::exists(record_file)) {
+        run.record = read_record(record_file);
+        if (run.record.attributes["run_hash"] != run_hash)
+            throw InputError(record_file.string() +
+                             ": belongs to another scene (or the scene file was changed); run in another folder or "
+                             "with --overwrite");
+        if (!fs::exists(checkpoint_file) && run.record.state != "finished") return {};
+    }
+    run.checkpoint = read_checkpoint(checkpoint_file, run_hash);
+    const double time = run.checkpoint.levels.front().state.time;
+    const std::vector<double>& frames = run.record.table("samples").time;
+    if (frames.empty() || frames.back() < time)
+        throw InputError(
+            fmt::format("{}: {}, and its checkpoint is of {:.6g} s: what was recorded in between would be "
+                        "missing; put the record back or begin anew with --overwrite",
+                        record_file.string(),
+                        frames.empty() ? "there is no row of samples in it, or no such file"
+                                       : fmt::format("it ends at {:.6g} s", frames.back()),
+                        time));
+    return run;
 }
 
 }  // namespace tw

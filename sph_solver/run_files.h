@@ -51,4 +51,14 @@ private:
     std::unique_ptr<SideThread> beside_;  // from the first output on; the last: it works with all of the above
 };
 
+/// A run that can be gone on with: its last checkpoint, and the record that leads to it.
+struct EarlierRun {
+    RunRecord record;
+    Checkpoint checkpoint;
+};
+
+/// Nothing: the run was stopped before its first checkpoint and begins again. Throws InputError naming the file that is
+/// missing, of another scene, or ends too early.
+std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash);
+
 }  // namespace tw

@@ -1,9 +1,6 @@
 #include "sph_solver/run_sph.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -27,6 +24,7 @@
 #include "sph_solver/measure/run_watch.h"
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
+#include "sph_solver/phase_timer.h"
 #include "sph_solver/ranks_refused.h"
 #include "sph_solver/run_files.h"
 #include "sph_solver/scene_setup.h"
@@ -37,78 +35,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-double cpu_now() {
-    rusage u{};
-    getrusage(RUSAGE_SELF, &u);
-    const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-    return seconds(u.ru_utime) + seconds(u.ru_stime);
-}
-double peak_memory() {
-    rusage u{};
-    getrusage(RUSAGE_SELF, &u);
-    return 1024.0 * double(u.ru_maxrss);
-}
-
-/// Adds wall and processor time to a phase of the record while it lives; without that of `files`, where they are written
-/// meanwhile.
-class PhaseTimer {
-public:
-    PhaseTimer(RunRecord& record, std::string name, const RunFiles* files = nullptr)
-        : record_(record), name_(std::move(name)), files_(files), wall_(wall_now()), cpu_(cpu()) {}
-    ~PhaseTimer() {
-        auto p =
-            std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Phase& q) { return q.name == name_; });
-        if (p == record_.phases.end()) p = record_.phases.insert(p, Phase{name_, 0, 0});
-        p->wall += wall_now() - wall_;
-        p->cpu += std::max(0.0, cpu() - cpu_);  // two clocks, which the system brings up to date at different times
-    }
-    PhaseTimer(const PhaseTimer&) = delete;
-    PhaseTimer& operator=(const PhaseTimer&) = delete;
-
-private:
-    double cpu() const { return cpu_now() - (files_ ? files_->cpu() : 0); }
-
-    RunRecord& record_;
-    std::string name_;
-    const RunFiles* files_;
-    double wall_, cpu_;
-};
-
 /// The next multiple of `interval` after `time`.
 double next_after(double time, double interval) { return (std::floor(time / interval + 1e-9) + 1) * interval; }
-
-struct Earlier {
-    RunRecord record;
-    Checkpoint checkpoint;
-};
-
-/// The last checkpoint and the record that leads to it; nothing: the run was stopped before its first one and begins
-/// again. Throws InputError naming the file that is missing, of another scene, or ends too early.
-std::optional<Earlier> earlier_run(const fs::path& record_file, const fs::path& checkpoint_file,
-                                   const std::string& hash) {
-    Earlier run;
-    if (fs::exists(record_file)) {
-        run.record = read_record(record_file);
-        if (run.record.attributes["run_hash"] != hash)
-            throw InputError(record_file.string() +
-                             ": belongs to another scene (or the scene file was changed); run in another folder or "
-                             "with --overwrite");
-        if (!fs::exists(checkpoint_file) && run.record.state != "finished") return {};
-    }
-    run.checkpoint = read_checkpoint(checkpoint_file, hash);
-    const double time = run.checkpoint.levels.front().state.time;
-    const std::vector<double>& frames = run.record.table("samples").time;
-    if (frames.empty() || frames.back() < time)
-        throw InputError(
-            fmt::format("{}: {}, and its checkpoint is of {:.6g} s: what was recorded in between would be "
-                        "missing; put the record back or begin anew with --overwrite",
-                        record_file.string(),
-                        frames.empty() ? "there is no row of samples in it, or no such file"
-                                       : fmt::format("it ends at {:.6g} s", frames.back()),
-                        time));
-    return run;
-}
 
 /// Ranks of other programs would add other numbers.
 void refuse_other_builds(const Comm& ranks) {
@@ -121,247 +49,323 @@ void refuse_other_builds(const Comm& ranks) {
     });
 }
 
-}  // namespace
+/// One run of one scene, from the setup to the record: `run` is the list of its parts.
+class SphRun {
+public:
+    SphRun(const Scene& scene, const RunOptions& options)
+        : scene_(scene),
+          options_(options),
+          hash_(run_hash(scene, "sph")),
+          duration_(scene.run.duration),
+          ranks_(Comm::world()),
+          on_gpu_(gpu_wanted(scene)),
+          files_(options.folder, hash_, ranks_, !ranks_.many()),
+          threads_(options.threads > 0     ? options.threads
+                   : scene.run.threads > 0 ? scene.run.threads
+                                           : std::max(1, processors() / ranks_.size_here())) {
+        ranks_.on_first([&] { lock_.emplace(options.folder); });
+    }
 
-RunRecord run_sph(const Scene& scene, const RunOptions& options) {
-    const std::string hash = run_hash(scene, "sph");
-    const Comm& ranks = Comm::world();
-    refuse_ranks(scene, ranks.size());
-    refuse_other_builds(ranks);
-    const bool on_gpu = gpu_wanted(scene);
-    std::optional<FolderLock> lock;
-    ranks.on_first([&] { lock.emplace(options.folder); });
-    RunFiles files(options.folder, hash, ranks, !ranks.many());
-    std::optional<RunRecord> finished;
-    std::optional<Earlier> earlier;
-    ranks.together([&] {
-        const bool holds_run = fs::exists(files.record()) || fs::exists(files.checkpoint());
-        if (holds_run && !options.resume && !options.overwrite)
+    RunRecord run() {
+        std::optional<RunRecord> finished;
+        ranks_.together([&] { finished = look_at_folder(); });
+        if (finished) return std::move(*finished);
+        const Threads of_run(threads_);
+        RunRecord fresh = new_record(scene_, "sph");
+        note_prediction(fresh, options_);
+        set_up(fresh);
+        describe(fresh);
+        if (earlier_)
+            take_up_tables(fresh);
+        else
+            ranks_.on_first([&] { files_.remove(); });
+        recorder_.emplace(scene_, *simulation_, std::move(fresh));
+        if (gate_) record().numbers[spray_gate_number] = 1;
+        if (earlier_) take_up_state();
+        plan_outputs();
+        return advance();
+    }
+
+private:
+    RunRecord& record() { return recorder_->record(); }
+
+    /// What the folder holds: the record of a run that has nothing left to do, or in `earlier_` one to be gone on with.
+    std::optional<RunRecord> look_at_folder() {
+        const bool holds_run = fs::exists(files_.record()) || fs::exists(files_.checkpoint());
+        if (holds_run && !options_.resume && !options_.overwrite)
             throw InputError(
-                options.folder.string() +
+                options_.folder.string() +
                 ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
-        if (options.resume && fs::exists(files.record())) {
-            RunRecord before = read_record(files.record());
-            if (before.state == "finished" && before.attributes["run_hash"] == hash &&
-                before.numbers["duration"] >= scene.run.duration)
-                finished = std::move(before);
+        if (!options_.resume || !holds_run) return {};
+        if (fs::exists(files_.record())) {
+            RunRecord before = read_record(files_.record());
+            if (before.state == "finished" && before.attributes["run_hash"] == hash_ &&
+                before.numbers["duration"] >= duration_)
+                return before;
         }
-        if (!finished && options.resume && holds_run) earlier = earlier_run(files.record(), files.checkpoint(), hash);
-    });
-    if (finished) return *finished;
-
-    const int threads = options.threads > 0     ? options.threads
-                        : scene.run.threads > 0 ? scene.run.threads
-                                                : std::max(1, processors() / ranks.size_here());
-    const Threads of_run(threads);
-    RunRecord fresh = new_record(scene, "sph");
-    note_prediction(fresh, options);
-    std::optional<SphSetup> setup;
-    std::optional<Simulation> simulation;
-    {
-        const PhaseTimer timer(fresh, "particles");
-        setup = sph_setup(scene, threads);
-        if (ranks.many()) setup->simulation.ranks = &ranks;
-        // the same pair loops as before, and on all ranks: others may give other last digits
-        const std::string isa = ranks.told_by(0, earlier         ? earlier->checkpoint.isa
-                                                 : on_gpu        ? passes_beside_gpu().isa
-                                                 : ranks.first() ? choose_passes().isa
-                                                                 : "");
-        ranks.together([&] { simulation.emplace(setup->simulation, setup->fluid, passes(isa.c_str())); });
-        if (setup->air) add_air(*simulation, setup->air->options, setup->air->fluid);
+        earlier_ = earlier_run(files_, hash_);
+        return {};
     }
-    std::string no_room;  // others may have taken the GPU's memory
-    if (on_gpu && scene.run.device == "auto") no_room = why_no_room_on_gpu(*simulation);
-    if (!no_room.empty()) fresh.attributes["gpu_left_alone"] = no_room;
-    if (on_gpu && no_room.empty())
-        fresh.attributes["device"] = leave_steps_to_gpu(*simulation);
-    else if (setup->control_volume)
-        simulation->set_control_volume(*setup->control_volume);
-    fresh.attributes["threads"] = std::to_string(threads);
-    if (ranks.many()) fresh.attributes["ranks"] = std::to_string(ranks.size());
-    fresh.attributes["isa"] = simulation->passes().isa;
-    fresh.attributes["calibrated"] =
-        "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12; support of 0.8 to 0.9, "
-        "with a plane surface's share given back, at which water begins to compress at a surface, on the potential "
-        "energy of sloshing and the reflection of a wave at an edge of two sizes; strength of the shifting, on a "
-        "planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
-    if (setup->pressure_iterations > 0) fresh.numbers["start_pressure_iterations"] = setup->pressure_iterations;
-    fresh.numbers["spacing"] = scene.resolution.near_hull;
-    fresh.numbers["wall_particles"] = double(simulation->finest().walls().size());
-    if (const int sizes = sizes_of_particles(scene); sizes > 1) {
-        fresh.numbers["levels"] = sizes;
-        fresh.numbers["finest_spacing"] = finest_spacing(scene);
-    }
-    const auto count = [&] {
-        std::int64_t n = 0;
-        for (const auto& level : simulation->water()) n += level->count();
-        return n;
-    };
-    // the coarsest level is whole everywhere
-    const double mass_at_start =
-        earlier ? earlier->checkpoint.mass_at_start : simulation->mass() * double(simulation->level(0).count());
-    setup->fluid = {}, setup->air = {};
 
-    if (!earlier) ranks.on_first([&] { files.remove(); });
-    if (earlier) {
-        fresh.tables = std::move(earlier->record.tables);
-        fresh.frames = std::move(earlier->record.frames);
-        fresh.phases = std::move(earlier->record.phases);
-        if (!ranks.first())  // the first one has them for all
+    /// Water, walls and bodies where they start, on the processor or the GPU.
+    void set_up(RunRecord& fresh) {
+        {
+            const PhaseTimer timer(fresh, "particles");
+            SphSetup setup = sph_setup(scene_, threads_);
+            if (ranks_.many()) setup.simulation.ranks = &ranks_;
+            // the same pair loops as before, and on all ranks: others may give other last digits
+            const std::string isa = ranks_.told_by(0, earlier_         ? earlier_->checkpoint.isa
+                                                      : on_gpu_        ? passes_beside_gpu().isa
+                                                      : ranks_.first() ? choose_passes().isa
+                                                                       : "");
+            ranks_.together([&] { simulation_.emplace(setup.simulation, setup.fluid, passes(isa.c_str())); });
+            if (setup.air) add_air(*simulation_, setup.air->options, setup.air->fluid);
+            control_volume_ = std::move(setup.control_volume);
+            if (setup.pressure_iterations > 0) fresh.numbers["start_pressure_iterations"] = setup.pressure_iterations;
+        }
+        std::string no_room;  // others may have taken the GPU's memory
+        if (on_gpu_ && scene_.run.device == "auto") no_room = why_no_room_on_gpu(*simulation_);
+        if (!no_room.empty()) fresh.attributes["gpu_left_alone"] = no_room;
+        if (on_gpu_ && no_room.empty())
+            fresh.attributes["device"] = leave_steps_to_gpu(*simulation_);
+        else if (control_volume_)
+            simulation_->set_control_volume(*control_volume_);
+        // the coarsest level is whole everywhere
+        mass_at_start_ =
+            earlier_ ? earlier_->checkpoint.mass_at_start : simulation_->mass() * double(simulation_->level(0).count());
+    }
+
+    void describe(RunRecord& fresh) const {
+        fresh.attributes["threads"] = std::to_string(threads_);
+        if (ranks_.many()) fresh.attributes["ranks"] = std::to_string(ranks_.size());
+        fresh.attributes["isa"] = simulation_->passes().isa;
+        fresh.attributes["calibrated"] =
+            "support of 0.9 to 1 at which a wall begins to compress, on planing_prism at beam/12; support of 0.8 to "
+            "0.9, with a plane surface's share given back, at which water begins to compress at a surface, on the "
+            "potential energy of sloshing and the reflection of a wave at an edge of two sizes; strength of the "
+            "shifting, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
+        fresh.numbers["spacing"] = scene_.resolution.near_hull;
+        fresh.numbers["wall_particles"] = double(simulation_->finest().walls().size());
+        if (const int sizes = sizes_of_particles(scene_); sizes > 1) {
+            fresh.numbers["levels"] = sizes;
+            fresh.numbers["finest_spacing"] = finest_spacing(scene_);
+        }
+    }
+
+    /// Of the run that is gone on with: what it has recorded ...
+    void take_up_tables(RunRecord& fresh) {
+        fresh.tables = std::move(earlier_->record.tables);
+        fresh.frames = std::move(earlier_->record.frames);
+        fresh.phases = std::move(earlier_->record.phases);
+        if (!ranks_.first())  // the first one has them for all
             for (Phase& phase : fresh.phases) phase.cpu = 0;
-        fresh.certificate = std::move(earlier->record.certificate);
-        fresh.attributes["resumed_at"] = fmt::format("{}", earlier->checkpoint.levels.front().state.time);
-        if (const std::string before = earlier->record.attributes["code_version"];
+        fresh.certificate = std::move(earlier_->record.certificate);
+        fresh.attributes["resumed_at"] = fmt::format("{}", earlier_->checkpoint.levels.front().state.time);
+        if (const std::string before = earlier_->record.attributes["code_version"];
             before != fresh.attributes["code_version"])
             fresh.attributes["resumed_from_version"] = before;
     }
-    Recorder recorder(scene, *simulation, std::move(fresh));
-    RunRecord& record = recorder.record();
-    const std::optional<SprayGate> gate = SprayGate::of(scene.sph);
-    if (gate) record.numbers[spray_gate_number] = 1;
-    bool has_checkpoint = earlier.has_value();
-    if (earlier) {
-        restore(*simulation, std::move(earlier->checkpoint));
-        recorder.rewind(*simulation);
-        if (!earlier->record.hull_pressure.empty()) {  // of the last picture, until the next one
-            record.hull = std::move(earlier->record.hull);
-            record.hull_pressure = std::move(earlier->record.hull_pressure);
-            record.hull_wet = std::move(earlier->record.hull_wet);
+
+    /// ... and where its particles are.
+    void take_up_state() {
+        restore(*simulation_, std::move(earlier_->checkpoint));
+        recorder_->rewind(*simulation_);
+        if (!earlier_->record.hull_pressure.empty()) {  // of the last picture, until the next one
+            record().hull = std::move(earlier_->record.hull);
+            record().hull_pressure = std::move(earlier_->record.hull_pressure);
+            record().hull_wet = std::move(earlier_->record.hull_wet);
         }
-        files.find_written(simulation->time());
+        files_.find_written(simulation_->time());
+        has_checkpoint_ = true;
+        earlier_.reset();
     }
 
-    const double duration = scene.run.duration, interval = scene.sampling.interval;
-    double next_frame = next_after(simulation->time(), interval);
-    double next_checkpoint = next_after(simulation->time(), scene.run.checkpoint > 0 ? scene.run.checkpoint : duration);
-    double next_snapshot = scene.sampling.snapshot_interval > 0
-                               ? next_after(simulation->time(), scene.sampling.snapshot_interval)
-                               : 2 * duration;
-    const double started = wall_now(), time_at_start = simulation->time();
-    double last_report = 0;
-    RunWatch watch(
-        {.speed = explained_speed(scene), .duration = duration - time_at_start, .steps = options.predicted_steps});
+    void plan_outputs() {
+        const double now = simulation_->time(), pictures = scene_.sampling.snapshot_interval;
+        next_frame_ = next_after(now, scene_.sampling.interval);
+        next_checkpoint_ = next_after(now, scene_.run.checkpoint > 0 ? scene_.run.checkpoint : duration_);
+        next_snapshot_ = pictures > 0 ? next_after(now, pictures) : 2 * duration_;
+    }
+
+    /// Steps to the end, a stop or a failure; what is written then is the whole record.
+    RunRecord advance() {
+        started_ = wall_now(), time_at_start_ = simulation_->time();
+        RunWatch watch({.speed = explained_speed(scene_),
+                        .duration = duration_ - time_at_start_,
+                        .steps = options_.predicted_steps});
+        try {
+            while (simulation_->time() < duration_) {
+                {
+                    const PhaseTimer timer(record(), "solving", &files_);
+                    simulation_->step();
+                    watch.after_step(*simulation_);
+                }
+                {
+                    const PhaseTimer timer(record(), "output", &files_);
+                    put_out(watch);
+                }
+                if (wall_now() - last_report_ > 0.5) report();
+                if (stop_asked()) return stopped();
+            }
+            return finished();
+        } catch (const std::exception& e) {
+            // What ends the run ends it on all ranks alike; anything else has hit this one alone, see Comm::end.
+            if (ranks_.many() && dynamic_cast<const RunError*>(&e) == nullptr) throw;
+            fail(in_words(e));
+        }
+    }
+
+    /// What is due after a step: rows of the record, a picture, a checkpoint.
+    void put_out(RunWatch& watch) {
+        const double time = simulation_->time();
+        const bool last = time >= duration_, frame = last || time >= next_frame_;
+        recorder_->after_step(*simulation_, frame);
+        if (frame) watch.after_frame(record()), next_frame_ = next_after(time, scene_.sampling.interval);
+        const bool picture = last || time >= next_snapshot_, checkpoint = frame && !last && time >= next_checkpoint_;
+        if (picture || checkpoint) files_.finish();  // so that one output at a time takes memory
+        RunOutput output;
+        if (picture) {
+            recorder_->fill_hull_pressure(*simulation_);
+            if (scene_.sampling.snapshot_interval > 0) output.picture = picture_of(*simulation_, record());
+            next_snapshot_ = next_after(time, std::max(scene_.sampling.snapshot_interval, 1e-300));
+        }
+        if (frame && gate_) recorder_->take_spray(*simulation_, *gate_);
+        if (checkpoint) {  // at a frame, where the control volume's sums begin anew
+            put_checkpoint(output);
+            next_checkpoint_ = next_after(time, scene_.run.checkpoint);
+        }
+        // At every frame, saved or not: neighbours found anew are summed in another order, and how often a run is saved
+        // must not show in its numbers.
+        if (frame) simulation_->mark_restart_point();
+        if (output.picture || output.record) files_.write(std::move(output));
+    }
+
+    void put_checkpoint(RunOutput& output) {
+        output.record = record_now("running", "");
+        output.checkpoint = checkpoint_of(*simulation_, mass_at_start_);
+        has_checkpoint_ = true;
+    }
+
+    std::int64_t particles_of_water() const {
+        std::int64_t n = 0;
+        for (const auto& level : simulation_->water()) n += level->count();
+        return n;
+    }
 
     /// The record as it is now, with the processor time and memory of all ranks.
-    const auto record_now = [&](const std::string& state, const std::string& reason) {
-        record.state = state;
-        record.reason = reason;
-        const Level* air = simulation->gas();
+    RunRecord record_now(const std::string& state, const std::string& reason) {
+        RunRecord& r = record();
+        r.state = state;
+        r.reason = reason;
+        const Level* air = simulation_->gas();
         const std::int64_t gas = air ? air->count() : 0;
-        record.elements = double(count() + gas);
-        if (gas > 0) record.numbers["air_particles"] = double(gas);
-        record.steps = double(simulation->steps());
-        if (record.resolution.empty() || simulation->setup().zones_round)
-            record.resolution = resolution_of(*simulation);
-        if (const std::vector<LevelLedger> sizes = level_ledgers(*simulation); sizes.size() > 1)
+        r.elements = double(particles_of_water() + gas);
+        if (gas > 0) r.numbers["air_particles"] = double(gas);
+        r.steps = double(simulation_->steps());
+        if (r.resolution.empty() || simulation_->setup().zones_round) r.resolution = resolution_of(*simulation_);
+        if (const std::vector<LevelLedger> sizes = level_ledgers(*simulation_); sizes.size() > 1)
             for (std::size_t k = 0; k < sizes.size(); ++k) {
-                record.numbers[level_table(k) + "_seconds"] = sizes[k].seconds;
-                record.numbers[level_table(k) + "_edge_seconds"] = sizes[k].edge.seconds;
+                r.numbers[level_table(k) + "_seconds"] = sizes[k].seconds;
+                r.numbers[level_table(k) + "_edge_seconds"] = sizes[k].edge.seconds;
             }
-        if (std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
-            record.numbers["structure_seconds"] = simulation->structure_seconds();
-        record.peak_memory = std::max(record.peak_memory, ranks.sum(peak_memory()));
-        const auto bytes = ranks.sum(static_cast<std::int64_t>(simulation->bytes()));
-        if (record.elements > 0) record.numbers["bytes_per_particle"] = double(bytes) / record.elements;
-        RunRecord now = record;
+        if (std::ranges::any_of(scene_.bodies, [](const MovingBody& b) { return b.elastic.has_value(); }))
+            r.numbers["structure_seconds"] = simulation_->structure_seconds();
+        r.peak_memory = std::max(r.peak_memory, ranks_.sum(peak_memory()));
+        const auto bytes = ranks_.sum(static_cast<std::int64_t>(simulation_->bytes()));
+        if (r.elements > 0) r.numbers["bytes_per_particle"] = double(bytes) / r.elements;
+        RunRecord now = r;
         for (Phase& phase : now.phases) {
-            if (phase.name == "output") phase.cpu += files.cpu();
-            phase.cpu = ranks.sum(phase.cpu);
+            if (phase.name == "output") phase.cpu += files_.cpu();
+            phase.cpu = ranks_.sum(phase.cpu);
         }
         return now;
-    };
-    const auto end_as = [&](const std::string& state, const std::string& reason) {
-        RunRecord end = record_now(state, reason);
-        ranks.on_first([&] { write_record(files.record(), end); });
-        return end;
-    };
-    const auto checkpoint_now = [&](RunOutput& output) {
-        output.record = record_now("running", "");
-        output.checkpoint = checkpoint_of(*simulation, mass_at_start);
-        has_checkpoint = true;
-    };
-    const auto report = [&] {
-        if (!options.progress) return;
-        const double wall = wall_now() - started, done = (simulation->time() - time_at_start) / duration;
-        Progress p;
-        p.time = simulation->time(), p.duration = duration, p.wall = wall, p.steps = simulation->steps();
-        p.eta = time_left(done, 1 - simulation->time() / duration, wall, options.predicted_seconds);
-        const Level* air = simulation->gas();
-        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", count(),
-                             air ? fmt::format(" and {} of air", air->count()) : "", simulation->dt());
-        options.progress(p);
-        last_report = wall_now();
-    };
+    }
 
-    // Of several ranks all stop where one is asked to; they ask each other now and then.
-    const auto stop_asked = [&] {
+    void report() {
+        if (!options_.progress) return;
+        const double time = simulation_->time(), wall = wall_now() - started_,
+                     done = (time - time_at_start_) / duration_;
+        Progress p;
+        p.time = time, p.duration = duration_, p.wall = wall, p.steps = simulation_->steps();
+        p.eta = time_left(done, 1 - time / duration_, wall, options_.predicted_seconds);
+        const Level* air = simulation_->gas();
+        p.note = fmt::format("sph {} particles{}, dt {:.3g} s", particles_of_water(),
+                             air ? fmt::format(" and {} of air", air->count()) : "", simulation_->dt());
+        options_.progress(p);
+        last_report_ = wall_now();
+    }
+
+    /// Of several ranks all stop where one is asked to; they ask each other now and then.
+    bool stop_asked() const {
         constexpr std::int64_t every = 16;
-        if (ranks.many() && simulation->steps() % every != 0) return false;
-        return ranks.largest(options.stop_asked && options.stop_asked() ? 1 : 0) > 0;
-    };
-    try {
-        while (simulation->time() < duration) {
-            {
-                const PhaseTimer timer(record, "solving", &files);
-                simulation->step();
-                watch.after_step(*simulation);
-            }
-            const bool last = simulation->time() >= duration, frame = last || simulation->time() >= next_frame;
-            {
-                const PhaseTimer timer(record, "output", &files);
-                recorder.after_step(*simulation, frame);
-                if (frame) watch.after_frame(record), next_frame = next_after(simulation->time(), interval);
-                const bool picture = last || simulation->time() >= next_snapshot,
-                           checkpoint = frame && !last && simulation->time() >= next_checkpoint;
-                if (picture || checkpoint) files.finish();  // so that one output at a time takes memory
-                RunOutput output;
-                if (picture) {
-                    recorder.fill_hull_pressure(*simulation);
-                    if (scene.sampling.snapshot_interval > 0) output.picture = picture_of(*simulation, record);
-                    next_snapshot = next_after(simulation->time(), std::max(scene.sampling.snapshot_interval, 1e-300));
-                }
-                if (frame && gate) recorder.take_spray(*simulation, *gate);
-                if (checkpoint) {  // at a frame, where the control volume's sums begin anew
-                    checkpoint_now(output);
-                    next_checkpoint = next_after(simulation->time(), scene.run.checkpoint);
-                }
-                // At every frame, saved or not: neighbours found anew are summed in another order, and how often a run
-                // is saved must not show in its numbers.
-                if (frame) simulation->mark_restart_point();
-                if (output.picture || output.record) files.write(std::move(output));
-            }
-            if (wall_now() - last_report > 0.5) report();
-            if (stop_asked()) {
-                files.finish();
-                return end_as(
-                    "stopped",
-                    fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation->time(),
-                                has_checkpoint ? "goes on from the last checkpoint"
-                                               : "begins it again, as it has not reached its first checkpoint"));
-            }
-        }
-        files.finish();
+        if (ranks_.many() && simulation_->steps() % every != 0) return false;
+        return ranks_.largest(options_.stop_asked && options_.stop_asked() ? 1 : 0) > 0;
+    }
+
+    RunRecord end_as(const std::string& state, const std::string& reason) {
+        RunRecord end = record_now(state, reason);
+        ranks_.on_first([&] { write_record(files_.record(), end); });
+        return end;
+    }
+
+    RunRecord stopped() {
+        files_.finish();
+        return end_as("stopped",
+                      fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation_->time(),
+                                  has_checkpoint_ ? "goes on from the last checkpoint"
+                                                  : "begins it again, as it has not reached its first checkpoint"));
+    }
+
+    RunRecord finished() {
+        files_.finish();
         RunOutput at_end;
-        checkpoint_now(at_end);
-        files.write(std::move(at_end));
-        files.finish();
+        put_checkpoint(at_end);
+        files_.write(std::move(at_end));
+        files_.finish();
         RunRecord end = end_as("finished", "");
         report();
         return end;
-    } catch (const std::exception& e) {
-        // What ends the run ends it on all ranks alike; anything else has hit this one alone, see Comm::end.
-        if (ranks.many() && dynamic_cast<const RunError*>(&e) == nullptr) throw;
-        watch_stability(*simulation, record);  // what the run was stopped for
+    }
+
+    [[noreturn]] void fail(const std::string& why) {
+        watch_stability(*simulation_, record());  // what the run was stopped for
         try {
-            files.finish();
+            files_.finish();
         } catch (const std::exception&) {}  // what ended the run was before it
         try {
-            end_as("failed", in_words(e));
+            end_as("failed", why);
         } catch (const std::exception& nested) {
-            throw RunError(in_words(e) + "; and the record could not be saved: " + in_words(nested));
+            throw RunError(why + "; and the record could not be saved: " + in_words(nested));
         }
-        throw RunError(in_words(e));
+        throw RunError(why);
     }
+
+    const Scene& scene_;
+    const RunOptions& options_;
+    std::string hash_;
+    double duration_;  // [s]
+    const Comm& ranks_;
+    bool on_gpu_;
+    std::optional<FolderLock> lock_;  // of the first rank
+    RunFiles files_;
+    int threads_;
+    std::optional<EarlierRun> earlier_;
+    std::optional<Simulation> simulation_;
+    std::optional<ControlVolume> control_volume_;
+    std::optional<Recorder> recorder_;
+    std::optional<SprayGate> gate_ = SprayGate::of(scene_.sph);
+    double mass_at_start_ = 0;                                         // [kg]
+    double next_frame_ = 0, next_checkpoint_ = 0, next_snapshot_ = 0;  // [s]
+    bool has_checkpoint_ = false;
+    double started_ = 0, time_at_start_ = 0, last_report_ = 0;  // by the clock, of the run, by the clock [s]
+};
+
+}  // namespace
+
+RunRecord run_sph(const Scene& scene, const RunOptions& options) {
+    refuse_ranks(scene, Comm::world().size());
+    refuse_other_builds(Comm::world());
+    return SphRun(scene, options).run();
 }
 
 }  // namespace tw
