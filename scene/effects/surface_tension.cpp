@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "scene/capillary.h"
-#include "scene/defaults.h"
 #include "scene/effects/part.h"
 #include "text/plain_number.h"
 
@@ -19,7 +18,7 @@ void settle_surface_tension(Scene& scene, bool on) {
     if (!on) return;
     take_default(scene, "sph.h_over_dp", scene.sph.h_over_dp, [] { return wanted_h_over_dp; });
     take_default(scene, "sph.alpha", scene.sph.alpha, [] { return wanted_alpha; });
-    take_default(scene, "sph.c0", scene.sph.c0, [&] { return std::max(scene.sph.c0, default_sound_speed(scene)); });
+    take_default(scene, "sph.c0", scene.sph.c0, [&] { return std::max(scene.sph.c0, 10 * capillary_speed(scene)); });
 }
 
 /// What the particles take with the effect on, and what that costs beside the effect itself.

@@ -125,5 +125,15 @@ TEST(SurfaceTensionPlan, TakesWhatDropsWantAndSaysWhatItCosts) {
     EXPECT_EQ(without.sph.alpha, SphOptions{}.alpha);
 }
 
+// With the weight of 0.8 m of water, which is off, the sound speed would be forty times as large, and the run as long.
+TEST(SurfaceTensionPlan, OfASlowStreamWithoutGravityRaisesTheSoundSpeedByTheSurfaceAlone) {
+    const Scene s = scene_of(
+        "[hull]\nshape = \"cylinder\"\ndiameter = \"0.1 m\"\ndraft = \"0.45 m\"\n"
+        "[water]\nviscosity = \"5e-4 m2/s\"\ndepth = \"0.8 m\"\n[domain]\ndimensions = 2\n"
+        "[motion]\nkind = \"stream\"\nspeed = \"0.1 m/s\"\n[resolution]\nnear_hull = \"5 mm\"\n"
+        "[effects]\ngravity = \"off\"\nsurface_tension = \"on\"\n");
+    EXPECT_NEAR(s.sph.c0, 10 * std::sqrt(4 * 0.072 / (1000 * 2 * 5e-3)), 1e-9);
+}
+
 }  // namespace slow_bodies_test
 }  // namespace tw::test
