@@ -13,7 +13,8 @@ namespace {
 EffectChoice plan_air(const EffectQuestion& q) {
     const Scene& scene = q.scene;
     EffectChoice c = q.choice(false);
-    const double gas = air_volume(scene) / water_volume(scene),
+    const double water = water_volume(scene);  // of a sliver there are no particles
+    const double gas = water > 0 ? air_volume(scene) / water : 0,
                  steps = std::max(1.0, (scene.sph.air_c0 + q.flow.speed) / (scene.sph.c0 + q.flow.speed));
     c.reason = fmt::format(
         "density ratio {:.2g}: {}; an air cushion matters at impacts with less than 3 deg of deadrise (rho_a U^2 = "

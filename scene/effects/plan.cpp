@@ -10,7 +10,8 @@
 namespace tw {
 
 std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
-    const FlowNumbers flow = flow_numbers(scene);
+    FlowNumbers flow = flow_numbers(scene);
+    if (!section.on_off("gravity").value_or(true)) flow.bond = 0;  // no weight holds the surface level
     std::vector<EffectChoice> choices;
     for (const EffectPart& part : effects()) {
         const auto made = [&](const std::string& name) -> const EffectChoice* {

@@ -41,7 +41,8 @@ std::string numerics_in_words(const Scene& scene) {
 
 EffectChoice plan_surface_tension(const EffectQuestion& q) {
     const FlowNumbers& n = q.flow;
-    EffectChoice c = q.choice(n.weber < 100);
+    const double held_flat = std::max(n.weber, n.bond);  // by inertia or by the water's weight, over the tension
+    EffectChoice c = q.choice(held_flat < 100);
     c.cost = 0.23;
     if (!(q.scene.water.surface_tension > 0)) {
         c.reason = "the water has no surface tension";
@@ -50,14 +51,15 @@ EffectChoice plan_surface_tension(const EffectQuestion& q) {
     }
     c.reason = fmt::format("We = {:.3g}, Bo = {:.3g}; at the finest size of {:.3g} m We = {:.3g}: {}", n.weber, n.bond,
                            q.scene.resolution.near_hull, n.weber_dp,
-                           n.weber < 100      ? "it acts on the whole flow"
+                           held_flat < 100    ? "it acts on the whole flow"
+                           : n.weber < 100    ? "gravity holds the surface"
                            : n.weber_dp > 100 ? "inertia dominates at every resolved scale"
                                               : "it acts only on the finest resolved sheets and drops");
     if (c.on) c.reason += numerics_in_words(q.scene);
-    const std::string share = per_cent(std::min(1.0, 1 / n.weber));
+    const std::string share = per_cent(std::min(1.0, 1 / held_flat));
     if (!q.scene.hull)
         c.bounds = equal_shares({"pressure", "peak", "height", "level", "arrival", "impulse", "motion"},
-                                std::min(1.0, 1 / n.weber), "1 / We");
+                                std::min(1.0, 1 / held_flat), "1 / We");
     c.influence = influence(share, share,
                             fmt::format("drops smaller than {} m are held together by it",
                                         plain_number(12 * q.scene.water.surface_tension / (2 * n.head), 2)));

@@ -104,8 +104,8 @@ void expect_proportional(const std::string& few, const std::string& many) {
 }
 
 TEST(Scaling, OfBodies) { expect_proportional(scene_of_rows(100, body), scene_of_rows(1000, body)); }
-TEST(Scaling, OfObstacles) { expect_proportional(scene_of_rows(1000, obstacle), scene_of_rows(10000, obstacle)); }
-TEST(Scaling, OfProbes) { expect_proportional(scene_of_rows(1000, probe), scene_of_rows(10000, probe)); }
+TEST(Scaling, OfObstacles) { expect_proportional(scene_of_rows(900, obstacle), scene_of_rows(9000, obstacle)); }
+TEST(Scaling, OfProbes) { expect_proportional(scene_of_rows(900, probe), scene_of_rows(9000, probe)); }
 TEST(Scaling, OfFinerPlaces) { expect_proportional(refined(100), refined(1000)); }
 TEST(Scaling, OfPlies) { expect_proportional(laminate(300), laminate(3000)); }
 
