@@ -135,5 +135,22 @@ TEST(SurfaceTensionPlan, OfASlowStreamWithoutGravityRaisesTheSoundSpeedByTheSurf
     EXPECT_NEAR(s.sph.c0, 10 * std::sqrt(4 * 0.072 / (1000 * 2 * 5e-3)), 1e-9);
 }
 
+// A box 0.4 m long in a stream of 0.1 m/s: We = 56, Bo = 22 000. The water's weight holds the surface, not its tension.
+TEST(SurfaceTensionPlan, IsOffWhereGravityHoldsTheSurface) {
+    const std::string box =
+        "[hull]\nshape = \"box\"\nlength = \"0.4 m\"\nbeam = \"0.3 m\"\nheight = \"0.2 m\"\ndraft = \"0.1 m\"\n"
+        "[domain]\ndimensions = 2\nx = [\"-0.6 m\", \"1 m\"]\nz = [\"-0.5 m\", \"0.4 m\"]\n"
+        "[motion]\nkind = \"stream\"\nspeed = \"0.1 m/s\"\n[resolution]\nnear_hull = \"12.5 mm\"\n";
+    const Scene s = scene_of(box);
+    EXPECT_FALSE(s.effect_on("surface_tension"));
+    EXPECT_EQ(s.sph.alpha, SphOptions{}.alpha);
+    EXPECT_TRUE(scene_of(box + "[effects]\ngravity = \"off\"\n").effect_on("surface_tension"));
+    // asked for all the same: the viscosity alpha c0 h of a drop, at the sound speed of half a metre of water
+    const Scene on = scene_of(box + "[effects]\nsurface_tension = \"on\"\n");
+    EXPECT_NEAR(on.sph.c0, 10 * std::sqrt(2 * 9.81 * 0.5), 1e-9);
+    EXPECT_NEAR(on.sph.alpha, std::max(SphOptions{}.alpha, 0.1 * 10 * capillary_speed(on) / on.sph.c0), 1e-9);
+    EXPECT_LT(on.sph.alpha, 0.02);
+}
+
 }  // namespace slow_bodies_test
 }  // namespace tw::test
