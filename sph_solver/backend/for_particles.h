@@ -1,6 +1,8 @@
 #pragma once
-// The seam between what the engine does and where it runs: every loop over particles, groups or pairs goes through one
-// of these. Here the threads of one machine; another back end offers the same names.
+// The loops that the threads of one machine share: what the engine does in parallel to particles, groups, pairs or
+// pieces of work goes through one of these, except the evening out of the first packing (even_packing.cpp). Serial
+// loops over particles (set-up, files, copies) are written out where they are needed. A device has loops of its own
+// (device_loops.h); an effect reaches both through StepView.
 //
 // A body writes only what belongs to its own index, and sums over particles are those of base/exact_sum.h, which are the
 // same in any order: so any number of threads gives the same bits, and any order in which the particles are kept.

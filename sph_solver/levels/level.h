@@ -42,7 +42,7 @@ struct Timers {
 };
 
 /// One material on particles of one size: its particles, records, neighbour lists, walls, ghosts, effects and time
-/// step. A level knows no other level; what another level does to it comes as sums (pairs/level_pair.h).
+/// step. Others act on it from above (pairs/, edge_steps.h); it refers to one to share columns (share_columns_with).
 ///
 /// An evaluation of the rates takes two sweeps over the pairs, in this order (schedule.h says for how long what moves):
 ///

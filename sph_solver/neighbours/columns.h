@@ -38,7 +38,8 @@ struct Quanta {
 /// Such columns over a box.
 struct ColumnGrid : Columns {
     ColumnGrid() = default;
-    /// `area`: the box to cover [m]. Columns are as wide as a cube of `lanes` particles (in 2-D: a square).
+    /// `area`: the box to cover [m]. Columns are as wide as a cube of `lanes` particles (in 2-D: a square). Throws
+    /// InputError where there would be more than 10^9 of them.
     ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta, int lanes);
     /// The same box in columns `factor` times as wide.
     ColumnGrid scaled(double factor) const;

@@ -17,6 +17,7 @@ std::vector<ReportTable> spray_tables(const SprayStudy& study, const SprayResult
 ///   droplets.vtp, landings.vtp   the same for ParaView
 ///   ledger.csv, ends.csv, reach.csv, windows.csv, by_area.csv, by_length.csv, face.csv, measured.csv, two_sprays.csv,
 ///   load.csv         the tables, as far as there are any
+/// Throws RunError where VTK cannot turn the droplets into a .vtp file, and where a file cannot be written.
 void write_spray(const std::filesystem::path& folder, const SprayStudy& study, const SprayResult& result);
 
 /// The page alone.

@@ -19,7 +19,8 @@ namespace tw {
 /// A sub-step is no longer than `of_limit` of 2 / omega, omega^2 the sum of the highest of an element at the start and
 /// of the contact. Dummies follow the outward normals of the faces; nodes that a rigid part carries do not turn.
 ///
-/// `setup` must outlive it.
+/// Throws InputError where `setup` has strain gauges, which only shells carry; `restore` throws
+/// std::invalid_argument where the state has another number of unknowns. `setup` must outlive it.
 std::unique_ptr<StructureInTime> solid_in_time(const ElasticSetup& setup);
 
 }  // namespace tw
