@@ -7,7 +7,6 @@
 
 #include "base/errors.h"
 #include "base/numbers.h"
-#include "motion/table_motion.h"
 
 namespace tw {
 

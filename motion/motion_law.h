@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "motion/table_motion.h"
 
 namespace tw {
 
@@ -23,14 +24,15 @@ struct MotionLaw {
     double amplitude = 0, period = 1, phase = 0;  ///< [m or rad], [s], [rad]
     std::vector<double> times = {}, values = {};  ///< [s], [m or rad]
 
-    struct At {
-        double path, rate, acceleration;
-    };
+    using At = PlaceOfMotion;
     At at(double t) const;
     /// The largest |s'| of all times: exact but for a table, where it is that of 64 places in each interval.
     double fastest() const;
     /// Throws InputError: a table needs two rows or more with times that rise, and to begin after t = 0 from rest.
     void check_table() const;
 };
+
+/// The largest |s''| of all times of any law; not that of an impulsive start, which is infinite [m/s2 or rad/s2].
+double largest_acceleration(const MotionLaw& law);
 
 }  // namespace tw

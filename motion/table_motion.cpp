@@ -35,7 +35,7 @@ std::vector<double> slopes(Rows t, Rows y, const EndsOfTable& ends) {
 }
 
 /// Behind knot `k`, with the slopes `m` at the knots.
-MotionLaw::At between_knots(Rows t, Rows y, Rows m, std::size_t k, double time) {
+PlaceOfMotion between_knots(Rows t, Rows y, Rows m, std::size_t k, double time) {
     const double h = t[k + 1] - t[k], q = (time - t[k]) / h, d = y[k + 1] - y[k];
     const double a = h * m[k], c = a + h * m[k + 1] - 2 * d, b = d - a - c;  // y_k + a q + b q^2 + c q^3
     return {y[k] + q * (a + q * (b + q * c)), (a + q * (2 * b + 3 * c * q)) / h, (2 * b + 6 * c * q) / (h * h)};
@@ -97,7 +97,7 @@ LargestOfTable largest_of_table(const std::vector<double>& times, const std::vec
 
 /// By the knots around `time` alone: what a knot does to a slope is halved or more with every knot between them, so
 /// those further off would change nothing above rounding, and a table of any length costs the same.
-MotionLaw::At on_table(const std::vector<double>& times, const std::vector<double>& values, double time) {
+PlaceOfMotion on_table(const std::vector<double>& times, const std::vector<double>& values, double time) {
     constexpr std::size_t reach = 64;
     if (time < times.front()) return {values.front(), 0, 0};
     if (time >= times.back()) {

@@ -1,9 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "motion/motion_law.h"
-
 namespace tw {
+
+/// Where a motion is at a time, along its direction or about its axis.
+struct PlaceOfMotion {
+    double path, rate, acceleration;  ///< [m, m/s, m/s2 or rad, rad/s, rad/s2]
+};
 
 /// The velocities with which a table of a motion begins and ends [m/s or rad/s].
 struct EndsOfTable {
@@ -24,12 +27,9 @@ struct LargestOfTable {
 };
 LargestOfTable largest_of_table(const std::vector<double>& times, const std::vector<double>& values);
 
-/// The largest |s''| of all times of any law; not that of an impulsive start, which is infinite [m/s2 or rad/s2].
-double largest_acceleration(const MotionLaw& law);
-
 /// Path, rate and acceleration of the cubic spline through the rows, whose first derivative at the ends is that of
 /// ends_of_table() and whose second is continuous. Before the first row it rests there; behind the last it keeps the
 /// velocity of the end.
-MotionLaw::At on_table(const std::vector<double>& times, const std::vector<double>& values, double time);
+PlaceOfMotion on_table(const std::vector<double>& times, const std::vector<double>& values, double time);
 
 }  // namespace tw
