@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "structure/freedoms.h"
-#include "structure/shell/shell_history.h"
+#include "structure/shell_history.h"
 
 namespace tw {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "structure/read_mesh.h"
+#include "structure/mesh.h"
 
 namespace tw::structure {
 

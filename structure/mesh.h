@@ -28,4 +28,13 @@ struct SolidMesh {
     std::map<std::string, std::vector<std::array<int, 4>>> surfaces;
 };
 
+/// What a mesh file holds. Each kind keeps the nodes that its elements use, in the order of the file's numbers; node
+/// sets lose the others.
+struct MeshFile {
+    ShellMesh shell;                                    ///< of quadrilaterals; the node sets are here
+    SolidMesh solid;                                    ///< of hexahedra; the same nodes' sets
+    std::vector<std::string> materials;                 ///< name of each material number of the solid
+    std::vector<int> quad_numbers, hexahedron_numbers;  ///< that the elements have in the file
+};
+
 }  // namespace tw::structure

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "structure/read_mesh.h"
+#include "structure/mesh.h"
 
 namespace tw::structure {
 

@@ -1,5 +1,7 @@
 #pragma once
-#include "structure/read_mesh.h"
+#include <filesystem>
+
+#include "structure/mesh.h"
 
 namespace tw::structure {
 

@@ -1,4 +1,4 @@
-#include "structure/shell/shell_history.h"
+#include "structure/shell_history.h"
 
 #include <fmt/format.h>
 
