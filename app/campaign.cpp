@@ -45,11 +45,26 @@ bool failed_before_it_saved(const CampaignRun& run) {
     return record && record->state == "failed";
 }
 
+Member member_of(const CampaignRun& run) {
+    const MethodCost& cost = run.plan.prediction.of(run.method);
+    Member member{run.name, run.method, run.folder, run.plan.request, cost.seconds, cost.bytes, cost.elements};
+    member.request.threads = run.plan.scene.run.threads;
+    member.request.ranks = run.ranks();
+    return member;
+}
+
 }  // namespace
 
 int CampaignRun::ranks() const { return solver_of(method).elements_per_rank > 0 ? 1 : plan.scene.run.ranks; }
 
 bool is_finished(const CampaignRun& run) { return finished_run(run).has_value(); }
+
+CampaignRules rules_of(const Making& making, const fs::path& out) {
+    CampaignRules rules;
+    rules.jobs = making.jobs;
+    if (making.collect) rules.collect = out;
+    return rules;
+}
 
 std::string Campaign::over_budget(double cost) const {
     if (spent_ + cost <= rules_.budget) return {};
@@ -92,6 +107,12 @@ void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
             known_[made[k].folder] = {became, {}, state.why};
         any_failed_ |= state.kind == MemberState::Kind::failed;
     }
+}
+
+int hand_over(const Making& making, Study study, Campaign& campaign, const std::vector<CampaignRun>& runs,
+              const Common& common) {
+    for (const CampaignRun& run : campaign.to_make(runs)) study.members.push_back(member_of(run));
+    return making.hand_over(std::move(study), common);
 }
 
 CampaignResult Campaign::collect(const CampaignRun& run) {

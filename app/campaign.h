@@ -46,7 +46,8 @@ struct CampaignRules {
     std::function<void(const Progress&)> progress = {};  ///< is told of every run made here
 };
 
-struct Study;
+/// The rules that follow from how the study is made.
+CampaignRules rules_of(const Making& making, const std::filesystem::path& out);
 
 /// The one way to a finished run. A campaign is any number of them under one budget: one after the other, or ahead of
 /// that side by side, or each as processes of its own because several share it.
@@ -81,6 +82,10 @@ private:
     double spent_ = 0;
     bool any_failed_ = false;
 };
+
+/// Gives the study with those of its runs that are still to be made to `making.hand_over`. Returns the exit status.
+int hand_over(const Making& making, Study study, Campaign& campaign, const std::vector<CampaignRun>& runs,
+              const Common& common);
 
 /// Whether the folder holds a finished run of this scene and these numerics.
 bool is_finished(const CampaignRun& run);

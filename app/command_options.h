@@ -1,5 +1,6 @@
 #pragma once
-#include "app/subcommands.h"
+#include "app/commands.h"
+#include "app/completion.h"
 #include "app/submit.h"
 
 namespace tw::app {

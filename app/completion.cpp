@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/output.h"
-#include "app/subcommands.h"
 #include "meshes/generate.h"
 #include "scene/effects/registry.h"
 

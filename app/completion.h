@@ -2,7 +2,19 @@
 #include <string>
 #include <vector>
 
+#include "app/commands.h"
+
+namespace CLI {
+class App;
+}
+
 namespace tw::app {
+
+struct CompletionCommand {
+    std::string shell;                  ///< bash, zsh, fish
+    const CLI::App* program = nullptr;  ///< whose options and subcommands are offered
+};
+int run_completion(const CompletionCommand& command, const Common& common);
 
 /// An option as it may be typed, or what may stand where no option does.
 struct OfferedOption {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run_method.h"
 #include "compare/compare.h"
 #include "compare/ladder/ladder.h"
 #include "foam_cases/doctor.h"
@@ -47,10 +48,6 @@ struct MachineFacts {
 std::string passes_line(std::vector<PassesPace> paces);
 std::string doctor_json(const MachineFacts& facts);
 /// What runs left, when there is nothing to compare.
-struct RunFacts {
-    std::string method, state, reason, record;
-    double elements = 0, steps = 0, wall = 0;
-};
 std::string runs_json(const std::vector<RunFacts>& runs);
 /// The facts of the comparison, and beside them `runs` and, where there is one, `ladder`.
 std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const Ladder* ladder = nullptr);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <sstream>
 
@@ -45,16 +44,6 @@ double longest(const Site& site) { return site.time.empty() ? INFINITY : quantit
 
 std::string JobArray::name() const {
     return ranks > 1 ? fmt::format("{}_{}x{}", method, ranks, cores) : fmt::format("{}_{}", method, cores);
-}
-
-int job_cores(double elements, int most) {
-    return static_cast<int>(
-        std::bit_floor(static_cast<unsigned>(std::clamp(elements / elements_per_job_core, 1.0, double(most)))));
-}
-
-int cores_of_rank(const Member& member, int most) {
-    const RunRequest& r = member.request;
-    return r.threads > 0 ? r.threads : job_cores(member.elements / r.ranks, most);
 }
 
 std::vector<JobArray> arrays_of(const Study& study, const Site& site) {

@@ -21,12 +21,6 @@ struct JobArray {
 /// more particles in the end than on average.
 inline constexpr double margin_of_time = 2, least_time = 600;                    ///< factor, [s] on top
 inline constexpr double margin_of_memory = 1.3, least_memory = 512.0 * 1048576;  ///< factor, [bytes] on top
-inline constexpr double elements_per_job_core = 20000;
-
-/// Cores that a run of so many elements is given: a power of two, so that there are few arrays.
-int job_cores(double elements, int most = 32);
-/// Of a rank of a member of a study, or of all of it: its own threads, else by its elements.
-int cores_of_rank(const Member& member, int most = 32);
 /// The members by what they ask for; those of a request that has its threads keep them.
 std::vector<JobArray> arrays_of(const Study& study, const Site& site);
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/commands.h"
-#include "app/facts_json.h"
 #include "record/run_record.h"
 #include "scene/run_options.h"
 
@@ -41,6 +40,11 @@ struct MethodRun {
 /// prediction (machine_pace.h).
 RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common);
 
+/// What a run left.
+struct RunFacts {
+    std::string method, state, reason, record;
+    double elements = 0, steps = 0, wall = 0;  ///< wall: time [s]
+};
 RunFacts facts_of(const std::string& method, const RunRecord& record, const std::filesystem::path& folder);
 /// "finished, 4.56e+04 particles, ..." with a line end.
 std::string closing_line(const RunFacts& facts);

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <nlohmann/json.hpp>
 
-#include "app/job_scripts.h"
 #include "app/member_state.h"
 #include "app/output.h"
 #include "app/study_keys.h"
@@ -49,25 +50,14 @@ StudyJson json_of(const Member& m) {
 
 }  // namespace
 
-Member member_of(const CampaignRun& run) {
-    const MethodCost& cost = run.plan.prediction.of(run.method);
-    Member member{run.name, run.method, run.folder, run.plan.request, cost.seconds, cost.bytes, cost.elements};
-    member.request.threads = run.plan.scene.run.threads;
-    member.request.ranks = run.ranks();
-    return member;
+int job_cores(double elements, int most) {
+    return static_cast<int>(
+        std::bit_floor(static_cast<unsigned>(std::clamp(elements / elements_per_job_core, 1.0, double(most)))));
 }
 
-CampaignRules rules_of(const Making& making, const fs::path& out) {
-    CampaignRules rules;
-    rules.jobs = making.jobs;
-    if (making.collect) rules.collect = out;
-    return rules;
-}
-
-int hand_over(const Making& making, Study study, Campaign& campaign, const std::vector<CampaignRun>& runs,
-              const Common& common) {
-    for (const CampaignRun& run : campaign.to_make(runs)) study.members.push_back(member_of(run));
-    return making.hand_over(std::move(study), common);
+int cores_of_rank(const Member& member, int most) {
+    const RunRequest& r = member.request;
+    return r.threads > 0 ? r.threads : job_cores(member.elements / r.ranks, most);
 }
 
 void write_study(const Study& study) {

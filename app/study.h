@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/campaign.h"
+#include "app/run_method.h"
 
 namespace tw::app {
 
@@ -14,23 +14,23 @@ struct Member {
     RunRequest request;
     double seconds = 0, bytes = 0, elements = 0;  ///< predicted, on the cores that are asked for; of this machine
 };
-Member member_of(const CampaignRun& run);
+
+/// Elements that are worth a core.
+inline constexpr double elements_per_job_core = 20000;
+/// Cores that a run of so many elements is given: a power of two, so that there are few arrays.
+int job_cores(double elements, int most = 32);
+/// Of a rank of a member of a study, or of all of it: its own threads, else by its elements.
+int cores_of_rank(const Member& member, int most = 32);
 
 /// A study as a graph: runs, none of which needs another, and a report that is made from what they left. What runs it
 /// reads it from here: this machine (--jobs), Slurm (submit), Snakemake (--emit snakemake).
 struct Study {
     std::filesystem::path out;       ///< folder of the results
     std::vector<std::string> words;  ///< the command that makes the report when --collect stands behind it
-    bool overwrite = false, take_finished = true;  ///< see CampaignRules
+    bool overwrite = false, take_finished = true;  ///< see CampaignRules (campaign.h)
     std::vector<Member> members = {};
     std::filesystem::path where = {};  ///< folder in which the command was given
 };
-
-/// The rules that follow from how the study is made.
-CampaignRules rules_of(const Making& making, const std::filesystem::path& out);
-/// Gives the study with those of its runs that are still to be made to `making.hand_over`. Returns the exit status.
-int hand_over(const Making& making, Study study, Campaign& campaign, const std::vector<CampaignRun>& runs,
-              const Common& common);
 
 /// out/study: what is known of the study beside its results.
 std::filesystem::path study_folder(const std::filesystem::path& out);

@@ -26,10 +26,4 @@ struct Subcommand {
 /// The table: all that the program can do.
 std::vector<Subcommand> subcommands();
 
-struct CompletionCommand {
-    std::string shell;                  ///< bash, zsh, fish
-    const CLI::App* program = nullptr;  ///< whose options and subcommands are offered
-};
-int run_completion(const CompletionCommand& command, const Common& common);
-
 }  // namespace tw::app
