@@ -18,6 +18,7 @@
 #include "scene/defaults.h"
 #include "scene/mesh_cells.h"
 #include "scene/tank_walls.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/gap.h"
-#include "scene/defaults.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 namespace {

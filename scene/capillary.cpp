@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/defaults.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 

@@ -17,6 +17,7 @@
 #include "scene/running_water.h"
 #include "scene/scene.h"
 #include "scene/tyre_steps.h"
+#include "scene/water_blocks.h"
 #include "structure/solid/solid.h"
 #include "text/plain_number.h"
 #include "text/units.h"

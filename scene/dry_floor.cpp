@@ -4,8 +4,8 @@
 #include <set>
 #include <vector>
 
-#include "scene/defaults.h"
 #include "scene/running_water.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 

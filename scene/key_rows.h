@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/keys.h"
+#include "scene/scene_key.h"
 
 namespace tw {
 

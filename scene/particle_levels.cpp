@@ -11,8 +11,8 @@
 #include "base/numbers.h"
 #include "scene/afloat.h"
 #include "scene/box_walls.h"
-#include "scene/defaults.h"
 #include "scene/refined_places.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 
@@ -181,7 +181,7 @@ std::vector<RefinedPlace> finer_places(const Scene& scene) {
     if (scene.sph.wake == 0 || !follows_its_hull(scene)) return places;
     RefinedPlace& wake = places.emplace_back();
     wake.halvings_short = static_cast<int>(std::floor(std::log2(scene.sph.wake)));
-    wake.boxes = {wake_of(scene, std::ldexp(scene.resolution.near_hull, wake.halvings_short))};
+    wake.boxes = {wake_of(scene, width_of_place * std::ldexp(scene.resolution.near_hull, wake.halvings_short))};
     return places;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/defaults.h"
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/running_water.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 

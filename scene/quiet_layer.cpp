@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "meshes/mass_properties.h"
-#include "scene/defaults.h"
 #include "scene/refined_places.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 namespace {

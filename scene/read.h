@@ -47,6 +47,9 @@ std::string why_angle_is_asked_back(const SceneSection& s, const std::string& ke
 /// The keys from `law` on, of a body or a tank. `flat`: in the plane y = 0.
 MotionLaw read_motion_law(SceneSection& s, bool flat);
 
+/// The places of the scene's [[refine]] sections, after its domain is made. Throws InputError at the key that is wrong.
+std::vector<RefinedPlace> read_refined(std::vector<SceneSection>& sections, const Scene& scene);
+
 /// Edge of the raster's voxels [m].
 std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& probes, Scene& scene);
 

@@ -15,8 +15,8 @@
 #include "scene/particle_levels.h"
 #include "scene/quiet_layer.h"
 #include "scene/read.h"
-#include "scene/refined_places.h"
 #include "scene/vortex_shedding.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 namespace {

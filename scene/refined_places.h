@@ -1,16 +1,15 @@
 #pragma once
-#include <vector>
+#include <optional>
 
-#include "scene/scene_section.h"
+#include "scene/scene.h"
 
 namespace tw {
 
-/// The places of the scene's [[refine]] sections, after its domain is made. Throws InputError at the key that is wrong.
-std::vector<RefinedPlace> read_refined(std::vector<SceneSection>& sections, const Scene& scene);
+inline constexpr double width_of_place = 8;  ///< of a refined place around what it is named for, in its own spacings
 
-/// The wake of the scene's hull for particles of `size` [m]: behind its middle to the outlet, half as wide again as the
-/// hull and down to its draft, and eight spacings more.
-Box wake_of(const Scene& scene, double size);
+/// The wake of the scene's hull: behind its middle to the outlet, or to `length` behind its stern, half as wide again as
+/// the hull and down to its draft, and `width` more [m].
+Box wake_of(const Scene& scene, double width, std::optional<double> length = {});
 
 /// Spacing of the finest particles [m]: near_hull, or what a place of the scene asks for below it.
 double finest_spacing(const Scene& scene);

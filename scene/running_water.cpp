@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "meshes/mass_properties.h"
-#include "scene/defaults.h"
 #include "scene/refined_places.h"
+#include "scene/water_blocks.h"
 
 namespace tw {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scene/defaults.h"
 #include "scene/effects/part.h"
+#include "scene/water_blocks.h"
 
 namespace tw::effect_parts {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/effects/flow_numbers.h"
-#include "scene/keys.h"
+#include "scene/scene_key.h"
 
 namespace tw {
 

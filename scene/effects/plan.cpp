@@ -9,7 +9,7 @@
 
 namespace tw {
 
-std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
+std::vector<EffectChoice> plan_effects(Scene& scene, Section& section) {
     FlowNumbers flow = flow_numbers(scene);
     if (!section.on_off("gravity").value_or(true)) flow.bond = 0;  // no weight holds the surface level
     std::vector<EffectChoice> choices;

@@ -7,11 +7,11 @@
 
 #include "meshes/query.h"
 #include "scene/cost_of_sizes.h"
-#include "scene/defaults.h"
 #include "scene/hash.h"
 #include "scene/particle_levels.h"
 #include "scene/particles_of_sizes.h"
 #include "scene/refined_places.h"
+#include "scene/water_blocks.h"
 #include "scene_text.h"
 
 namespace tw::test {

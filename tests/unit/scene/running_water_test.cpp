@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "scene/cost_of_sizes.h"
-#include "scene/defaults.h"
 #include "scene/particles_of_sizes.h"
 #include "scene/time_left.h"
 #include "scene_text.h"

@@ -2,7 +2,7 @@
 #include "scene/water_at_start.h"
 
 #include "scene/afloat.h"
-#include "scene/defaults.h"
+#include "scene/water_blocks.h"
 #include "scene_text.h"
 
 namespace tw::test {
