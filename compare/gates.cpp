@@ -8,7 +8,6 @@
 
 #include "compare/metrics/numerical_drag.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/splash.h"
 #include "compare/metrics/water_kept.h"
 #include "compare/read/record_numbers.h"
 #include "compare/reference/prismatic_hull.h"

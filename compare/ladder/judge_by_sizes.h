@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "compare/ladder/ladder.h"
-#include "compare/verdict/sentence.h"
+#include "compare/report/sentences.h"
 
 namespace tw {
 

@@ -6,7 +6,8 @@
 #include "compare/ladder/ladder_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
-#include "compare/verdict/sentence.h"
+#include "compare/report/sentences.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "compare/report/numbers.h"
+#include "compare/report/sentences.h"
 #include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
-#include "compare/verdict/sentence.h"
 #include "methods/methods.h"
 
 namespace tw {

@@ -8,7 +8,6 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/statistics/settled_mean.h"
 #include "compare/verdict/judge.h"

@@ -89,11 +89,6 @@ Wake wake_of(const RunRecord& record, const RasterGrid& grid, double level) {
 
 }  // namespace
 
-bool is_stream(const RunRecord& record) {
-    const auto motion = record.attributes.find("motion");
-    return motion != record.attributes.end() ? motion->second == "stream" : number_of(record, "speed", 0) > 0;
-}
-
 double still_level(const RunRecord& record) {
     const RasterGrid grid(record.raster);
     if (is_stream(record) || record.frames.empty() || grid.empty()) return 0;

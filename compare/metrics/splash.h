@@ -4,9 +4,6 @@
 
 namespace tw {
 
-/// A hull in a stream settles; a tank (dam break, impact) has its say once.
-bool is_stream(const RunRecord& record);
-
 /// Splash measures of every raster frame, the same for any source because only the common raster is read. Columns:
 ///
 ///   sheet_height [m]   highest connected water (sheet_tops) that is splash, above still water; 0 where none is

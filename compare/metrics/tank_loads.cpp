@@ -12,7 +12,6 @@
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/sound.h"
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "record/force_names.h"

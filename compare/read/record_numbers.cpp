@@ -25,6 +25,11 @@ std::string text_of(const RunRecord& record, const std::string& name, const std:
     return found == record.attributes.end() ? fallback : found->second;
 }
 
+bool is_stream(const RunRecord& record) {
+    const auto motion = record.attributes.find("motion");
+    return motion != record.attributes.end() ? motion->second == "stream" : number_of(record, "speed", 0) > 0;
+}
+
 bool has_moving_bodies(const RunRecord& record) {
     return std::ranges::any_of(record.tables, [](const auto& t) { return t.first.starts_with(body_table("")); });
 }

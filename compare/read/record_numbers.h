@@ -12,5 +12,7 @@ double number_of_text(const RunRecord& record, const std::string& name, double f
 std::string text_of(const RunRecord& record, const std::string& name, const std::string& fallback = {});
 
 bool has_moving_bodies(const RunRecord& record);
+/// A hull in a stream settles; a tank (dam break, impact) has its say once.
+bool is_stream(const RunRecord& record);
 
 }  // namespace tw

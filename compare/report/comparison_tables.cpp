@@ -7,11 +7,10 @@
 #include <set>
 
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/left_out.h"
-#include "compare/verdict/sentence.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "record/influence_words.h"
 #include "text/plain_number.h"

@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "compare/align/time_bins.h"
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/drawn_bodies.h"

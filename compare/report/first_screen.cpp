@@ -13,9 +13,10 @@
 #include "compare/report/escape.h"
 #include "compare/report/next_steps.h"
 #include "compare/report/numbers.h"
+#include "compare/report/sentences.h"
 #include "compare/report/strip.h"
 #include "compare/verdict/left_out.h"
-#include "compare/verdict/sentence.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
 

@@ -6,11 +6,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
-#include "compare/verdict/sentence.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 
 namespace tw {

@@ -33,13 +33,4 @@ std::string time_text(double seconds);
 std::string about_text(double seconds);      ///< "about 13 min"; without "about" where time_text gives a bound
 std::string verdict_label(Verdict verdict);  ///< "agree", "not converged", "discretisation error not estimated", ...
 
-/// "SPH failed: ...", for each run that did.
-std::vector<std::string> failures_of(const Comparison& comparison);
-/// The sentences on one quantity, to be forwarded: a verdict for every two runs where several sizes gave one, else how
-/// far apart the values are; none where failures leave fewer than two runs.
-std::vector<std::string> sentences_on(const Comparison& comparison, const Quantity& quantity);
-/// The failures, and a sentence for each main quantity (drag, lift, trim moment, splash height), to be forwarded: the verdict where runs
-/// of several sizes gave one, else how far apart the values are.
-std::vector<std::string> verdict_sentences(const Comparison& comparison);
-
 }  // namespace tw

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"

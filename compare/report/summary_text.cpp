@@ -4,6 +4,7 @@
 #include "compare/report/comparison_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
+#include "compare/report/sentences.h"
 
 namespace tw {
 

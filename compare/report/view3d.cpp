@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/colours.h"
 #include "compare/report/drawn_bodies.h"

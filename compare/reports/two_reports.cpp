@@ -11,7 +11,7 @@
 
 #include "base/errors.h"
 #include "compare/report/numbers.h"
-#include "compare/verdict/sentence.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
 

@@ -9,10 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "compare/metrics/splash.h"
 #include "compare/read/record_numbers.h"
 #include "compare/verdict/quantity_kinds.h"
-#include "compare/verdict/sentence.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
 #include "record/influence_words.h"

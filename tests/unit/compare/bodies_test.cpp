@@ -6,7 +6,7 @@
 
 #include "compare/compare.h"
 #include "compare/metrics/bodies.h"
-#include "compare/report/numbers.h"
+#include "compare/report/sentences.h"
 
 namespace tw {
 namespace bodies_test {

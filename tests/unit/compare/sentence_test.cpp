@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/report/numbers.h"
-#include "compare/verdict/sentence.h"
+#include "compare/report/sentences.h"
 
 namespace tw {
 namespace sentence_test {

@@ -32,25 +32,13 @@ struct Statement {
 /// that it has none.
 std::string sentence_of(const Statement& statement);
 
-/// Where a quantity stands among those that a first page speaks of, by its name; negative: it is not one of them. Drag,
-/// lift and trim moment of a hull; way, velocity, largest force and strains of a body that moves; impulse and largest
-/// force on what stands in a tank; the splash sheet.
-int main_rank(const std::string& name);
-inline bool is_main_quantity(const std::string& name) { return main_rank(name) >= 0; }
-/// Those of a list, in that order, without those that are shown beside and never judged.
-template <class Quantities>
-auto main_quantities(const Quantities& all) {
-    std::vector<decltype(all.data())> of_all;
-    const auto only_beside = [](const auto& q) {
-        if constexpr (requires { q.judged_in_ladder; })
-            return !q.judged && !q.judged_in_ladder && q.not_resolved.empty();
-        else
-            return false;
-    };
-    for (const auto& q : all)
-        if (is_main_quantity(q.name) && !only_beside(q)) of_all.push_back(&q);
-    std::ranges::stable_sort(of_all, {}, [](const auto* q) { return main_rank(q->name); });
-    return of_all;
-}
+/// "SPH failed: ...", for each run that did.
+std::vector<std::string> failures_of(const Comparison& comparison);
+/// The sentences on one quantity, to be forwarded: a verdict for every two runs where several sizes gave one, else how
+/// far apart the values are; none where failures leave fewer than two runs.
+std::vector<std::string> sentences_on(const Comparison& comparison, const Quantity& quantity);
+/// The failures, and a sentence for each main quantity (drag, lift, trim moment, splash height), to be forwarded: the verdict where runs
+/// of several sizes gave one, else how far apart the values are.
+std::vector<std::string> verdict_sentences(const Comparison& comparison);
 
 }  // namespace tw

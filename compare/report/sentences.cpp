@@ -1,4 +1,4 @@
-#include "compare/verdict/sentence.h"
+#include "compare/report/sentences.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "compare/report/numbers.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
 
@@ -99,19 +100,81 @@ std::string two_methods(const Statement& s) {
 
 }  // namespace
 
-int main_rank(const std::string& name) {
-    static constexpr std::string_view main[] = {"drag",           "total_drag",         "lift",        "trim_moment",
-                                                "body_depth",     "body_speed",         "body_peak",   "load_impulse_x",
-                                                "load_impulse_z", "load_peak_x",        "load_peak_z", "strain_peak",
-                                                "splash_raised",  "splash_sheet_height"};
-    const auto* found = std::ranges::find(main, std::string_view(name).substr(0, name.find(':')));
-    return found == std::end(main) ? -1 : static_cast<int>(found - std::begin(main));
-}
-
 std::string sentence_of(const Statement& s) {
     if (s.values.size() == 2 && s.methods.size() == 2) return s.label + ": " + two_methods(s) + ".";
     if (s.values.size() == 1 && s.methods.size() == 1) return s.label + ": " + one_method(s) + ".";
     return s.label + ": " + verdict_label(s.verdict) + (s.why.empty() ? "" : ": " + s.why) + ".";
+}
+
+namespace {
+/// What the interval of a difference is made of: the scatter, or what is wider, such as the raster.
+std::string limit_of(const Quantity& q) {
+    const MeanValue* widest = nullptr;
+    for (const MeanValue& m : q.values)
+        if (m.known && (!widest || m.half_width > widest->half_width)) widest = &m;
+    return widest && !widest->limited_by.empty() ? "from " + widest->limited_by : "statistical scatter of the means";
+}
+
+/// "Lift: apart by 2.8 % at this size (interFoam lower), ± 0.2 % ...; discretisation error not estimated."
+std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
+    if (!q.not_resolved.empty()) return q.label + ": " + q.not_resolved + ".";
+    const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_ladder;
+    if (!without_verdict || !std::isfinite(q.per_cent))
+        return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
+    const std::string a = method_label(comparison.names[q.a]), b = method_label(comparison.names[q.b]);
+    const double value_a = q.values[q.a].value, value_b = q.values[q.b].value;
+    const bool in_per_cent = told_in_per_cent(value_a, value_b, q.size);
+    const auto size_text = [&](double size) {
+        return in_per_cent ? fmt::format("{:.1f} %", 100 * std::abs(size) / q.size)
+                           : fmt::format("{} {}", plain_number(std::abs(size), 2), q.unit);
+    };
+    std::string text = fmt::format("{}: apart by {} at this size", q.label, size_text(q.difference));
+    if (comparison.sources.size() > 2)
+        text =
+            fmt::format("{}: {} and {} are farthest apart, by {} at this size", q.label, a, b, size_text(q.difference));
+    if (!in_per_cent)
+        text += fmt::format(" ({} {}, {} {} {})", a, value_text(value_a, 0), b, value_text(value_b, 0), q.unit);
+    else if (q.difference != 0)
+        text += fmt::format(" ({} {})", b, q.difference < 0 ? "lower" : "higher");
+    if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {} {}", size_text(q.interval), limit_of(q));
+    return text + "; discretisation error not estimated.";
+}
+}  // namespace
+
+std::vector<std::string> failures_of(const Comparison& comparison) {
+    std::vector<std::string> sentences;
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
+        if (!comparison.failed(s)) continue;
+        const std::string& reason = comparison.sources[s].reason;
+        sentences.push_back(fmt::format("{} failed{}{}. What it recorded until then {}.",
+                                        method_label(comparison.names[s]), reason.empty() ? "" : ": ", reason,
+                                        comparison.sources.size() > 1 ? "is compared with nothing" : "is shown below"));
+    }
+    return sentences;
+}
+
+std::vector<std::string> sentences_on(const Comparison& comparison, const Quantity& q) {
+    std::vector<std::string> sentences;
+    std::size_t left = 0;
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s) left += comparison.failed(s) ? 0 : 1;
+    if (left < 2 && left < comparison.sources.size()) return sentences;
+    for (const Difference& d : q.differences())
+        if (!d.sentence.empty()) sentences.push_back(d.sentence);
+    if (sentences.empty() && (comparison.sources.size() > 1 || !q.not_resolved.empty()))
+        sentences.push_back(apart_sentence(comparison, q));
+    if (!q.caveat.empty())
+        for (std::string& sentence : sentences) sentence += " (" + q.caveat + ")";
+    return sentences;
+}
+
+std::vector<std::string> verdict_sentences(const Comparison& comparison) {
+    std::vector<std::string> sentences = failures_of(comparison);
+    for (const Quantity* q : main_quantities(comparison.quantities))
+        std::ranges::move(sentences_on(comparison, *q), std::back_inserter(sentences));
+    if (sentences.empty())
+        sentences.push_back(comparison.sources.size() < 2 ? "One run only: there is nothing to compare it with."
+                                                          : "No force and no splash to compare; see the tables.");
+    return sentences;
 }
 
 }  // namespace tw
