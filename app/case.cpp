@@ -1,7 +1,7 @@
 #include "app/output.h"
 #include "app/solvers.h"
 #include "base/errors.h"
-#include "foam_cases/run_fvm.h"
+#include "foam_cases/write_case.h"
 
 namespace tw::app {
 

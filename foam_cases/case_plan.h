@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "foam_cases/doctor.h"
 #include "foam_cases/flavour.h"
+#include "record/hull_motion.h"
+#include "record/run_record.h"
 #include "scene/edge_refinement.h"
 #include "scene/mesh_motion.h"
 #include "scene/scene.h"
@@ -32,10 +33,6 @@ struct AxisCells {
     std::vector<int> cells;      ///< one fewer than planes
     double last_grows = 1;       ///< size of the last block's last cell over that of its first
 };
-/// Cells of about `spacing` from `low` to `high`, with the `wanted` planes on cell faces as far as cells stay within 25
-/// % of `spacing`: a water block then begins with exactly its volume.
-AxisCells split_axis(double low, double high, double spacing, std::vector<double> wanted);
-
 /// A closed surface that is cut out of the mesh.
 struct Solid {
     std::string name;  ///< patch, and constant/triSurface/<name>.stl
@@ -87,8 +84,13 @@ struct CasePlan {
     /// The only one, or the first of several.
     const MovingBody& moving() const { return bodies.at(0).body; }
     /// interFoam, or what stands for it in the flavour; interIsoFoam where the surface is captured geometrically.
-    std::string solver_program() const;
-    std::string motion_table(const BodyInMesh& body) const;  ///< of the record, in which its motion stands
+    std::string solver_program() const {
+        return scene->fvm.captures_geometrically() ? geometric_solver : flavour.solver_program();
+    }
+    /// Of the record, in which its motion stands.
+    std::string motion_table(const BodyInMesh& body) const {
+        return scene->hull_is_free() ? hull_motion_table : body_table(body.body.name);
+    }
     /// Of what is solved: a half model's body weighs half, a section as much as the mesh is thick.
     double solved_share() const { return scene->span() / scene->symmetry_factor(); }
 
@@ -127,12 +129,5 @@ struct CasePlan {
     std::vector<std::vector<ColumnPoint>>
         height_columns;  ///< per height probe: the middles of the cells of a column, floor to top
 };
-
-/// Throws InputError when the scene cannot become an OpenFOAM case (no point of the domain is outside all solids, sizes
-/// that are not finite).
-CasePlan plan_case(const Scene& scene, const Flavour& flavour);
-/// The same for an installation, whose solids let water go if it has the library for it and the scene does not ask
-/// otherwise.
-CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam);
 
 }  // namespace tw

@@ -141,14 +141,6 @@ bool belongs_to(const OpenFoam& found, const std::string& preferred) {
 
 }  // namespace
 
-std::string vendor_of(const std::string& version) { return version.starts_with('v') ? "openfoam.com" : "openfoam.org"; }
-
-std::string OpenFoam::command() const {
-    std::string words;
-    for (const std::string& word : prefix) words += word + " ";
-    return words + solver.string();
-}
-
 std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
     if (const std::vector<std::string> prefix = openfoam_prefix(); !prefix.empty()) {
         OpenFoam found = openfoam_behind(prefix);

@@ -1,30 +1,12 @@
 #pragma once
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
+
+#include "foam_cases/openfoam.h"
 
 namespace tw {
 
 struct Scene;
-
-/// One OpenFOAM installation and what the self-test says of its interFoam.
-struct OpenFoam {
-    std::filesystem::path project_dir;   ///< WM_PROJECT_DIR
-    std::filesystem::path solver;        ///< the interFoam program (or foamRun)
-    std::filesystem::path bin;           ///< of blockMesh, snappyHexMesh, ...
-    std::filesystem::path wall_library;  ///< of walls that let water go (foam_cases/ventilated_wall); empty: none
-    std::vector<std::string> prefix;     ///< before each program ($TWINWAKE_OPENFOAM_PREFIX): a container's command
-    std::string version, vendor;         ///< "v1912", "openfoam.com"
-    bool loaded = false;                 ///< its environment is the caller's: WM_PROJECT_DIR
-    bool sound = false;                  ///< exact answer of the self-test reproduced
-    double self_test_error = 0;          ///< [m/s], of 0.1; NaN: the test did not come to an answer
-    std::string verdict;                 ///< one line for people
-    std::string command() const;         ///< of the solver: the prefix and the program
-};
-
-/// openfoam.com numbers its releases by year and month with a v, openfoam.org simply counts.
-std::string vendor_of(const std::string& version);
 
 /// All that are here, sound or not. $TWINWAKE_OPENFOAM_PREFIX leaves the one behind it alone. Else the one whose environment is loaded (WM_PROJECT_DIR) first, then the mended solvers
 /// of twinwake's own folders ($TWINWAKE_OPENFOAM_BIN, .openfoam/bin beside the program's folder,

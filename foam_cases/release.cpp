@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "base/gap.h"
-#include "foam_cases/viscous_steps.h"
 
 // Measured: docs/decisions/064-released-bodies-in-interfoam.md.
 
@@ -28,21 +27,6 @@ double first_rise(const MovingBody& body, const Scene& scene) {
     const double wet = hydrostatics(body.surface).volume, share = wet / mass_properties(body.surface).volume,
                  mass = body.motion.mass.mass;
     return g * (scene.water.density * wet - mass) / (mass + share * added_mass(body, scene));
-}
-
-void plan_coupling(CasePlan& plan) {
-    // Body and water answer each other once in each outer corrector. The water feels the share beta of a change of the
-    // body's acceleration (Newmark's rule, beta = (gamma + 1/2)^2 / 4): with this relaxation the first answer is right
-    // if the added mass is, and the answers converge as long as it is below twice that. With gamma = 1/2 what is left
-    // swings from step to step and dies down by 2 m / M a step only; with 1 it is gone in three steps.
-    double added = 0;
-    for (const BodyInMesh& b : plan.bodies)
-        added = std::max(
-            added, (added_mass(b.body, *plan.scene) + viscous_added_mass(plan, b.body)) / b.body.motion.mass.mass);
-    plan.newmark_gamma = added > 9 ? 1 : 0.5;
-    const double beta = std::pow(plan.newmark_gamma + 0.5, 2) / 4;
-    plan.relaxation = std::min(1 / (1 + beta * added), 0.9);
-    plan.outer_correctors = plan.relaxation >= 0.7 ? 2 : 3;
 }
 
 void plan_release(CasePlan& plan) {

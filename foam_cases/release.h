@@ -11,9 +11,6 @@ double added_mass(const MovingBody& body, const Scene& scene);
 /// Upward acceleration of a free body at its release from rest, by its weight, its buoyancy and its added mass [m/s2].
 double first_rise(const MovingBody& body, const Scene& scene);
 
-/// How body and water come to terms in a step: relaxation, Newmark's gamma, outer correctors.
-void plan_coupling(CasePlan& plan);
-
 /// The time steps of the first while, where bodies are released at rest.
 void plan_release(CasePlan& plan);
 

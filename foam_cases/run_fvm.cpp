@@ -15,6 +15,7 @@
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/mesh/make_mesh.h"
 #include "foam_cases/one_way.h"
+#include "foam_cases/plan_case.h"
 #include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/gaps.h"
 #include "foam_cases/read/hull_patch.h"

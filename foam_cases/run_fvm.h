@@ -12,8 +12,4 @@ inline constexpr double cells_per_rank = 20000;
 /// `options.folder/record.h5`. Throws InputError (no or faulty OpenFOAM, ...) before anything is run; RunError after.
 RunRecord run_fvm(const Scene& scene, const RunOptions& options);
 
-/// Only writes the case, for an OpenFOAM user to run by hand (./Allrun). Throws InputError where the folder holds
-/// something that is not an OpenFOAM case, and what write_case throws.
-void write_fvm_case(const Scene& scene, const std::filesystem::path& folder);
-
 }  // namespace tw

@@ -26,6 +26,21 @@ double area_in_water(const Surface& surface, bool section) {
 
 }  // namespace
 
+void plan_coupling(CasePlan& plan) {
+    // Body and water answer each other once in each outer corrector. The water feels the share beta of a change of the
+    // body's acceleration (Newmark's rule, beta = (gamma + 1/2)^2 / 4): with this relaxation the first answer is right
+    // if the added mass is, and the answers converge as long as it is below twice that. With gamma = 1/2 what is left
+    // swings from step to step and dies down by 2 m / M a step only; with 1 it is gone in three steps.
+    double added = 0;
+    for (const BodyInMesh& b : plan.bodies)
+        added = std::max(
+            added, (added_mass(b.body, *plan.scene) + viscous_added_mass(plan, b.body)) / b.body.motion.mass.mass);
+    plan.newmark_gamma = added > 9 ? 1 : 0.5;
+    const double beta = std::pow(plan.newmark_gamma + 0.5, 2) / 4;
+    plan.relaxation = std::min(1 / (1 + beta * added), 0.9);
+    plan.outer_correctors = plan.relaxation >= 0.7 ? 2 : 3;
+}
+
 void plan_viscous_steps(CasePlan& plan) {
     const double nu = plan.viscous ? plan.scene->water.kinematic_viscosity : 0, dx = plan.finest_cell;
     const double neighbours = 2 * plan.scene->domain.dimensions;

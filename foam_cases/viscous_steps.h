@@ -14,6 +14,9 @@ namespace tw {
 /// sinking rod was measured. Call it when the time steps are known.
 void plan_viscous_steps(CasePlan& plan);
 
+/// How body and water come to terms in a step: relaxation, Newmark's gamma, outer correctors.
+void plan_coupling(CasePlan& plan);
+
 /// Mass of the water that viscosity holds to a body's surface S in a step [kg]: rho S sqrt(nu dt), the layer that a wall
 /// drags along after the time dt (Stokes' first problem; Batchelor 1967, section 4.3). Nothing where the predictor is off.
 double viscous_added_mass(const CasePlan& plan, const MovingBody& body);

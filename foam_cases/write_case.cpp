@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "foam_cases/doctor.h"
 #include "foam_cases/files/case_files.h"
-#include "foam_cases/run_fvm.h"
+#include "foam_cases/plan_case.h"
 #include "meshes/surface.h"
 
 namespace tw {

@@ -13,4 +13,7 @@ void write_case(const CasePlan& plan, const std::filesystem::path& folder, int r
 /// file that is there cannot be read.
 std::string changed_file(const CasePlan& plan, const std::filesystem::path& folder);
 
+/// Only writes the case, for an OpenFOAM user to run by hand (./Allrun).
+void write_fvm_case(const Scene& scene, const std::filesystem::path& folder);
+
 }  // namespace tw

@@ -16,7 +16,7 @@ struct EdgeRefinement {
 /// Hulls in a stream and three dimensions: one halving within one cell of near_hull of the edges that may be wet. With
 /// cells of one size the water does not leave a transom's lower edge where the edge lies badly in its cells: it turns
 /// round it into the first cell behind, whose suction was up to a sixth of the drag (docs/decisions/028-shedding-edges.md).
-/// Sections have finer cells all round (foam_cases/case_plan.cpp).
+/// Sections have finer cells all round (foam_cases/plan_case.cpp).
 EdgeRefinement edge_refinement(const Scene& scene);
 
 }  // namespace tw

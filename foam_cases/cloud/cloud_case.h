@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "foam_cases/doctor.h"
+#include "foam_cases/openfoam.h"
 
 namespace tw {
 

@@ -2,7 +2,7 @@
 #include "base/errors.h"
 #include "foam_cases/cloud/cloud_case.h"
 #include "foam_cases/read/number_rows.h"
-#include "foam_cases/run/time_folders.h"
+#include "foam_cases/read/time_folders.h"
 
 namespace tw {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 #include "foam_cases/mesh/edge_cells.h"
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/number_rows.h"
-#include "foam_cases/run/time_folders.h"
+#include "foam_cases/read/time_folders.h"
 
 namespace tw {
 namespace fs = std::filesystem;

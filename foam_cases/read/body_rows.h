@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "foam_cases/case_plan.h"
-#include "foam_cases/run/solver_log.h"
+#include "foam_cases/read/solver_log.h"
 #include "record/run_record.h"
 
 namespace tw {

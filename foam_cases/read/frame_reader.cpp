@@ -9,7 +9,6 @@
 #include "base/numbers.h"
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/field_file.h"
-#include "foam_cases/run/watchdog.h"
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"

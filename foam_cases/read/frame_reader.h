@@ -3,8 +3,8 @@
 
 #include "foam_cases/case_plan.h"
 #include "foam_cases/read/hull_patch.h"
-#include "foam_cases/run/solver_log.h"
-#include "foam_cases/run/time_folders.h"
+#include "foam_cases/read/solver_log.h"
+#include "foam_cases/read/time_folders.h"
 #include "record/run_record.h"
 
 namespace tw {
@@ -15,6 +15,9 @@ Walls read_walls(const CasePlan& plan, const std::filesystem::path& case_folder,
 /// The water's load on those that the table of forces counts; nothing where one of them is missing, or there is none. A
 /// solid that the mesh has no face of, inside another or smaller than a cell, bears none.
 std::optional<WaterLoad> read_load(const CasePlan& plan, const std::filesystem::path& case_folder, const Walls& walls);
+
+/// The column [-]: share of the water that is faster than `water_speed_limit` of the plan.
+inline constexpr const char* fast_water = "fast_water";
 
 /// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass,
 /// energies, the water's load on the hull or the solids of a tank. Half-model results are doubled here, once.

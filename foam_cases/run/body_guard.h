@@ -3,7 +3,7 @@
 #include <string>
 
 #include "foam_cases/case_plan.h"
-#include "foam_cases/run/solver_log.h"
+#include "foam_cases/read/solver_log.h"
 
 namespace tw {
 

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "base/errors.h"
+#include "foam_cases/read/solver_log.h"
 #include "foam_cases/run/environment.h"
-#include "foam_cases/run/solver_log.h"
 #include "foam_cases/run/wrapper.h"
 
 namespace tw {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "foam_cases/doctor.h"
 #include "foam_cases/flavour.h"
+#include "foam_cases/openfoam.h"
 #include "foam_cases/run/child.h"
 #include "foam_cases/run/temporary_folder.h"
 

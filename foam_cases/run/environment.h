@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "foam_cases/doctor.h"
+#include "foam_cases/openfoam.h"
 
 namespace tw {
 

@@ -10,7 +10,7 @@
 #include "base/errors.h"
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/read/body_rows.h"
-#include "foam_cases/run/time_folders.h"
+#include "foam_cases/read/time_folders.h"
 
 namespace tw {
 namespace fs = std::filesystem;

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "foam_cases/case_plan.h"
+#include "foam_cases/read/solver_log.h"
 #include "foam_cases/run/case_programs.h"
-#include "foam_cases/run/solver_log.h"
 
 namespace tw {
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 
+#include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/number_rows.h"
 #include "record/certificate.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "foam_cases/case_plan.h"
-#include "foam_cases/run/solver_log.h"
+#include "foam_cases/read/solver_log.h"
 #include "record/run_record.h"
 
 namespace tw {
@@ -33,9 +33,6 @@ std::optional<std::string> trouble(const SolverLog& log, double largest_speed, c
 /// The same of what the record holds of the water: how much of it is too fast (column `fast_water` of the samples), and
 /// energy that nothing has given it.
 std::optional<std::string> water_trouble(const RunRecord& record, const Limits& limits);
-/// The column [-]: share of the water that is faster than `water_speed` of the limits.
-inline constexpr const char* fast_water = "fast_water";
-
 /// Largest velocity that the `fastest` function object has written last [m/s]; NaN while there is none. What is later
 /// than `now` [s], the step under way, is of an earlier start of the solver and does not count.
 double latest_fastest(const std::filesystem::path& post_processing, double now);

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "foam_cases/doctor.h"
+#include "foam_cases/openfoam.h"
 #include "foam_cases/run/child.h"
 
 namespace tw {

@@ -1,5 +1,5 @@
 #pragma once
-#include "foam_cases/case_plan.h"
+#include "foam_cases/plan_case.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
 #include "scene/scene.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "foam_cases/run/solver_log.h"
+#include "foam_cases/read/solver_log.h"
 
 namespace tw {
 namespace solver_log_test {

@@ -9,7 +9,7 @@
 
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/step_loads.h"
-#include "foam_cases/run/time_folders.h"
+#include "foam_cases/read/time_folders.h"
 #include "foam_cases/run/watchdog.h"
 
 namespace tw {

@@ -10,8 +10,8 @@
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/hull_patch.h"
 #include "foam_cases/read/number_rows.h"
+#include "foam_cases/read/solver_log.h"
 #include "foam_cases/read/step_loads.h"
-#include "foam_cases/run/solver_log.h"
 #include "foam_cases/run/watchdog.h"
 #include "test_paths.h"
 

@@ -1,4 +1,4 @@
-#include "foam_cases/case_plan.h"
+#include "foam_cases/plan_case.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,6 @@
 #include "foam_cases/viscous_steps.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
-#include "record/hull_motion.h"
 #include "scene/defaults.h"
 #include "scene/mesh_cells.h"
 #include "scene/tank_walls.h"
@@ -284,14 +283,6 @@ AxisCells split_axis(double low, double high, double spacing, std::vector<double
         axis.cells.push_back(
             std::max(1, static_cast<int>(std::lround((axis.planes[i] - axis.planes[i - 1]) / spacing))));
     return axis;
-}
-
-std::string CasePlan::solver_program() const {
-    return scene->fvm.captures_geometrically() ? geometric_solver : flavour.solver_program();
-}
-
-std::string CasePlan::motion_table(const BodyInMesh& body) const {
-    return scene->hull_is_free() ? hull_motion_table : body_table(body.body.name);
 }
 
 CasePlan plan_case(const Scene& scene, const Flavour& flavour) {

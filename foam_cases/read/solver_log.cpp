@@ -1,4 +1,4 @@
-#include "foam_cases/run/solver_log.h"
+#include "foam_cases/read/solver_log.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "foam_cases/run/time_folders.h"
+#include "foam_cases/read/time_folders.h"
 
 #include <algorithm>
 #include <cmath>
