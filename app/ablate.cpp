@@ -169,7 +169,8 @@ int run_ablate(const AblateCommand& command, const Common& common) {
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ablation") : command.out;
     const std::vector<Variant> variants = variants_of(command);
     const Scene& scene = variants.front().plan->scene;
-    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(variants.front().methods, scene));
+    if (!command.making.hand_over && !command.making.collect)
+        say(common, ready_text(variants.front().methods, scene, &variants.front().plan->prediction));
     say(common, unused_ranks(scene));
     double seconds = 0;
     int count = 0;

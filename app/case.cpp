@@ -2,6 +2,7 @@
 #include "app/solvers.h"
 #include "base/errors.h"
 #include "foam_cases/write_case.h"
+#include "scene/node.h"
 
 namespace tw::app {
 

@@ -77,10 +77,10 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     if (!fs::exists(out) && std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= budget; }))
         throw no_run_fits();
     if (!command.making.hand_over && !command.making.collect) {
-        say(common, ready_text(scene.run.methods, scene));
+        say(common, ready_text(scene.run.methods, scene, &jobs.front().run.plan.prediction));
         for (const LadderJob& job : jobs)
             if (job.run.plan.scene.fvm.interface != scene.fvm.interface)
-                say(common, ready_text({job.run.method}, job.run.plan.scene));
+                say(common, ready_text({job.run.method}, job.run.plan.scene, &job.run.plan.prediction));
     }
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);

@@ -190,7 +190,7 @@ int run_run(const RunCommand& command, const Common& common) {
     request.ranks = scene.run.ranks;
     if (command.twins) twins.emplace(request, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
-    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene));
+    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene, &plan.prediction));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
     say(common, fmt::format("{}\n{}{}{}{}results in {}\n", scene.title, warnings_text(scene),

@@ -76,6 +76,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.overwrite = run.overwrite;
     options.threads = scene.run.threads;
     const MethodCost& cost = plan.prediction.of(method);
+    options.prediction = &plan.prediction;
     options.predicted_seconds = cost.seconds;
     options.predicted_elements = cost.with_walls;
     options.predicted_bytes = cost.bytes;
@@ -93,7 +94,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air")) {
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
-        const PaceName pace = pace_of(scene, method);
+        const PaceName pace = pace_of(scene, method, &plan.prediction);
         learn_pace(pace.name, predict_by_table(scene).of(method).seconds * pace.cores, taken,
                    share.left(std::atoi(record.attributes["threads"].c_str())));
     }

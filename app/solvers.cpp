@@ -14,12 +14,15 @@
 namespace tw::app {
 namespace {
 
-std::string openfoam_line(const Scene& scene) { return "OpenFOAM: " + openfoam_for(scene).verdict + "\n"; }
+std::string openfoam_line(const Scene& scene, const Prediction*) {
+    return "OpenFOAM: " + openfoam_for(scene).verdict + "\n";
+}
 
-Prediction predict_all(const Scene& scene, const std::function<double(const std::string& method)>& pace) {
-    std::vector<CostOf> costs;
-    for (const Solver& s : solvers()) costs.push_back({s.method, s.predict, pace(s.method)});
-    return predict(scene, costs);
+using Pace = std::function<double(const std::string& method, const Prediction& sizes)>;
+Prediction predict_all(const Scene& scene, const Pace& pace) {
+    Prediction p = predict_sizes(scene);
+    for (const Solver& s : solvers()) add_cost(p, scene, {s.method, s.predict, pace(s.method, p)});
+    return p;
 }
 
 }  // namespace
@@ -50,8 +53,8 @@ std::vector<std::string> method_choices() {
     return words;
 }
 
-PaceName pace_of(const Scene& scene, const std::string& method) {
-    const bool of_gpu = method == "sph" && (scene.run.device == "gpu" ? !gpu_name().empty() : gpu_wanted(scene));
+PaceName pace_of(const Scene& scene, const std::string& method, const Prediction* sizes) {
+    const bool of_gpu = method == "sph" && (scene.run.device == "gpu" ? !gpu_name().empty() : gpu_wanted(scene, sizes));
     if (!of_gpu) return {method};
     return {pace_on_gpu(method), true, cores_of_particles(scene)};
 }
@@ -59,21 +62,21 @@ PaceName pace_of(const Scene& scene, const std::string& method) {
 std::string pace_on_gpu(const std::string& method) { return method + " on " + gpu_name(); }
 
 Prediction predict_here(const Scene& scene) {
-    return predict_all(scene, [&](const std::string& method) {
-        const PaceName pace = pace_of(scene, method);
+    return predict_all(scene, [&](const std::string& method, const Prediction& sizes) {
+        const PaceName pace = pace_of(scene, method, &sizes);
         if (pace.of_gpu && !knows_pace(pace.name)) calibrate_gpu_pace(pace.name);
         return machine_pace(pace.name) * pace.cores;
     });
 }
 
 Prediction predict_by_table(const Scene& scene) {
-    return predict_all(scene, [](const std::string&) { return 1.0; });
+    return predict_all(scene, [](const std::string&, const Prediction&) { return 1.0; });
 }
 
-std::string ready_text(const std::vector<std::string>& methods, const Scene& scene) {
+std::string ready_text(const std::vector<std::string>& methods, const Scene& scene, const Prediction* sizes) {
     std::string text;
     for (const std::string& method : methods)
-        if (const Solver& solver = solver_of(method); solver.ready) text += solver.ready(scene);
+        if (const Solver& solver = solver_of(method); solver.ready) text += solver.ready(scene, sizes);
     return text;
 }
 

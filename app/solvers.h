@@ -19,8 +19,8 @@ struct Solver {
     /// Throws InputError where the method cannot solve what the scene asks for. Null: it solves every scene.
     void (*refuse)(const Scene& scene) = nullptr;
     /// Makes sure of what the method needs on this machine and says so in a line. Throws InputError: it is not there.
-    /// Null: it needs nothing.
-    std::string (*ready)(const Scene& scene) = nullptr;
+    /// Null: it needs nothing. `sizes`: of the scene, where they have been predicted.
+    std::string (*ready)(const Scene& scene, const Prediction* sizes) = nullptr;
 };
 /// In the order of methods().
 const std::vector<Solver>& solvers();
@@ -40,7 +40,7 @@ struct PaceName {
         1;  ///< that the table reckons with, where the pace is that of all of them: a GPU's, whose speed does
             ///< not depend on the threads beside it
 };
-PaceName pace_of(const Scene& scene, const std::string& method);
+PaceName pace_of(const Scene& scene, const std::string& method, const Prediction* sizes = nullptr);
 /// The name where the GPU here makes the steps.
 std::string pace_on_gpu(const std::string& method);
 /// Of every method, by what runs have taught of this machine's speed (machine_pace.h).
@@ -48,6 +48,6 @@ Prediction predict_here(const Scene& scene);
 /// Of every method, as on the machine that the throughput table was made on.
 Prediction predict_by_table(const Scene& scene);
 /// A line of each of these methods that says one.
-std::string ready_text(const std::vector<std::string>& methods, const Scene& scene);
+std::string ready_text(const std::vector<std::string>& methods, const Scene& scene, const Prediction* sizes = nullptr);
 
 }  // namespace tw::app

@@ -15,7 +15,10 @@ struct Node {
 /// What a run, or the ranks of it that a node holds, need there but for the raster, which the first rank alone has [bytes].
 double bytes_on(const Node& node, const Scene& scene, const MethodCost& cost, double raster_bytes);
 
-/// refuse_oversize (scene.h) for another node than this machine with one process.
-void refuse_oversize(const Scene& scene, const Prediction& prediction, const Node& node);
+inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
+inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
+/// Throws InputError at the key that is to blame when a run cannot be made on the node: more memory than it has, more than
+/// `longest_run` of predicted time, too many samples or snapshots. Only the methods in `scene.run.methods` count.
+void refuse_oversize(const Scene& scene, const Prediction& prediction, const Node& node = {});
 
 }  // namespace tw

@@ -5,6 +5,8 @@
 
 namespace tw {
 
+struct Prediction;
+
 struct Progress {
     double time = 0, duration = 0;  ///< simulated [s]
     double wall = 0, eta = 0;       ///< [s]
@@ -20,6 +22,7 @@ struct RunOptions {
     int threads = 0;               ///< 0: all cores (OpenMP threads; MPI ranks for the FVM side)
     /// As said before the run; go into its record; 0: not said.
     double predicted_seconds = 0, predicted_elements = 0, predicted_bytes = 0, predicted_steps = 0;
+    const Prediction* prediction = nullptr;  ///< of the scene, where it has been made; it has to outlive the run
     std::string command;  ///< that makes the run again, a word a line; goes into its record; empty: not said
     std::function<void(const Progress&)> progress = {};
     std::function<bool()> stop_asked = {};  ///< polled: true ends the run after saving state

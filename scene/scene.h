@@ -272,17 +272,14 @@ struct CostOf {
     double pace = 1;
 };
 Prediction predict(const Scene& scene, const std::vector<CostOf>& methods);
+/// The same in two: all but the costs, and the cost of one method.
+Prediction predict_sizes(const Scene& scene);
+void add_cost(Prediction& size, const Scene& scene, const CostOf& method);
 MethodCost predict_particles(const Scene& scene, const Prediction& size, double pace);
 MethodCost predict_cells(const Scene& scene, const Prediction& size, double pace);
 /// Peak of a whole run of 5500 particles with its report and pictures (/usr/bin/time -f %M); the solver's part of it is
 /// 54 MB, and ends before.
 inline constexpr double bytes_of_report = 164e6;
-/// Throws InputError at the key that is to blame when a run cannot be made here: more memory than this machine has,
-/// more than `longest_run` of predicted time, too many samples or snapshots. Only the methods in `scene.run.methods`
-/// count.
-inline constexpr double longest_run = 30 * 86400.0;  ///< [s]
-inline constexpr double most_snapshots = 1e5, most_frames = 1e6;
-void refuse_oversize(const Scene& scene, const Prediction& prediction);
 /// Throws InputError where the mesh method cannot solve what the scene asks for (see also mesh_motion.h).
 void refuse_unmeshable(const Scene& scene);
 /// The checked scene in words: hull, domain, resolution, sampling, effects with reasons, predicted cost.

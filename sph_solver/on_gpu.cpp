@@ -19,8 +19,8 @@ namespace tw {
 namespace {
 
 /// Why the memory of the GPU here is too small for the particles that a scene is predicted to have; empty: it is not.
-std::string why_too_small(const Scene& scene) {
-    const Prediction p = predict(scene, {});
+std::string why_too_small(const Scene& scene, const Prediction* sizes) {
+    const Prediction p = sizes ? *sizes : predict_sizes(scene);
     const double particles = p.most_particles + p.air_particles,
                  needed = bytes_on_gpu(particles + p.wall_particles, sizes_of_particles(scene) > 1),
                  there = gpu_memory();
@@ -36,20 +36,20 @@ double bytes_on_gpu(double particles, bool several_sizes) {
     return particles * (several_sizes ? 900 : 600);
 }
 
-bool gpu_wanted(const Scene& scene) {
+bool gpu_wanted(const Scene& scene, const Prediction* sizes) {
     if (scene.run.device == "cpu") return false;
     const std::string why_not = why_no_gpu_here();
     if (!why_not.empty() && scene.run.device == "gpu")
         throw InputError(fmt::format(
             "{}: [run] device = \"gpu\": {}; leave the key out, or say \"auto\" for a GPU where there is one",
             scene.file.string(), why_not));
-    return why_not.empty() && (scene.run.device == "gpu" || why_too_small(scene).empty());
+    return why_not.empty() && (scene.run.device == "gpu" || why_too_small(scene, sizes).empty());
 }
 
-std::string gpu_line(const Scene& scene) {
-    if (gpu_wanted(scene)) return "GPU: " + gpu_in_words() + "\n";
+std::string gpu_line(const Scene& scene, const Prediction* sizes) {
+    if (gpu_wanted(scene, sizes)) return "GPU: " + gpu_in_words() + "\n";
     if (scene.run.device == "cpu" || !why_no_gpu_here().empty()) return "";
-    return "GPU: left alone: " + why_too_small(scene) + "; this processor makes the steps\n";
+    return "GPU: left alone: " + why_too_small(scene, sizes) + "; this processor makes the steps\n";
 }
 
 const Passes& passes_beside_gpu() {

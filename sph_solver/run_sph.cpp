@@ -58,7 +58,7 @@ public:
           hash_(run_hash(scene, "sph")),
           duration_(scene.run.duration),
           ranks_(Comm::world()),
-          on_gpu_(gpu_wanted(scene)),
+          on_gpu_(gpu_wanted(scene, options.prediction)),
           files_(options.folder, hash_, ranks_, !ranks_.many()),
           threads_(options.threads > 0     ? options.threads
                    : scene.run.threads > 0 ? scene.run.threads

@@ -16,6 +16,7 @@
 #include "base/errors.h"
 #include "meshes/generate.h"
 #include "scene/keys.h"
+#include "scene/node.h"
 #include "test_paths.h"
 #include "tests/unit/scene/every_key.h"
 
