@@ -10,7 +10,7 @@ namespace tw {
 namespace TW_ISA {
 namespace {
 
-/// First sweep of a step: velocity divergence (continuity), and with it what the second sweep needs of the
+/// First sweep of a step: -div u (continuity), and with it what the second sweep needs of the
 /// neighbourhood: renormalised density gradient, kernel support and the shifting sum.
 template <bool walls_move>
 struct FirstSweep {
@@ -19,7 +19,7 @@ struct FirstSweep {
     const WallTouch wall_touch;
     const V3<Real> u_i;
     const Real drho_i;
-    Real divergence{}, wall_divergence{}, support{}, difference2{}, touch{};
+    Real divergence{}, wall_divergence{}, support{}, difference2{}, touch{};  // the first two are -div u
     V3<Real> shift{};
     ScalarGradient<Real> grad_rho;
     V3<Real> n_i{}, u_slip{};  // of the wall near by

@@ -17,7 +17,7 @@ struct MeetOther {
     const Shifting shifting;
     const Contact contact;
     const V3<Real> u_i;
-    Real divergence{}, support{}, difference2{};
+    Real divergence{}, support{}, difference2{};  // the first is -div u
     V3<Real> shift{};
 
     MeetOther(const MeetOtherData& data, const Own& i)

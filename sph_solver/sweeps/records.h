@@ -30,7 +30,7 @@ struct alignas(16) ShiftSupportRecord {
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
 /// What the other phase adds to the first sweep's sums, see equations/level_pair.h: of shifting [1/m], support [-],
-/// div u [1/s], v^2 of shifting [m2/s2].
+/// -div u [1/s], v^2 of shifting [m2/s2].
 struct OtherSums {
     float x, y, z, support, divergence, difference2;
 };
