@@ -44,6 +44,12 @@ double value_at(std::span<const double> t, std::span<const double> x, double at)
     return (1 - w) * x[after - 1] + w * x[after];
 }
 
+double time_integral(std::span<const double> t, std::span<const double> x) {
+    double sum = t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : 0;
+    for (std::size_t i = 1; i < t.size(); ++i) sum += (t[i] - t[i - 1]) * (x[i] + x[i - 1]) / 2;
+    return sum;
+}
+
 std::vector<double> moving_mean(std::span<const double> t, std::span<const double> x, double width) {
     std::vector<double> smooth(x.size(), std::numeric_limits<double>::quiet_NaN());
     double sum = 0;

@@ -41,11 +41,10 @@ double start_of(const BodyHistory& h, const char* column) { return h.has(column)
 
 double impulse_of(const BodyHistory& h) {
     if (!h.has("fz")) return nan;
-    const auto t = h.times(), f = h.values("fz");
-    double sum = 0;
-    for (std::size_t i = 1; i < t.size(); ++i)
-        if (std::isfinite(f[i] + f[i - 1])) sum += (t[i] - t[i - 1]) * (f[i] + f[i - 1]) / 2;
-    return sum;
+    const auto f = h.values("fz");
+    const auto known = std::ranges::find_if(f, [](double value) { return std::isfinite(value); });
+    const auto first = static_cast<std::size_t>(known - f.begin());  // a false start has no force
+    return time_integral(h.times().subspan(first), f.subspan(first));
 }
 
 double peak_of(const BodyHistory& h, double filter) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/numbers.h"
+#include "compare/align/time_bins.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/sound.h"
@@ -44,13 +45,7 @@ Load load_in(const Table& table, const std::string& column, double begin, double
     return load;
 }
 
-/// NaN where a row has no value: an integral over a gap is none.
-double impulse_of(const Load& load) {
-    double sum = load.t.size() < 2 ? nan : 0;
-    for (std::size_t i = 1; i < load.t.size(); ++i)
-        sum += (load.t[i] - load.t[i - 1]) * (load.f[i] + load.f[i - 1]) / 2;
-    return sum;
-}
+double impulse_of(const Load& load) { return time_integral(load.t, load.f); }
 
 double peak_of(const Load& load) {
     std::vector<double> turned = load.f;
