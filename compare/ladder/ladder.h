@@ -178,10 +178,5 @@ std::string ladder_csv(const Ladder& ladder, std::size_t side);
 std::string ladder_html(const Ladder& ladder);
 /// What stands above the tables: runs that are left out, choices that are no evidence, sides that are no family.
 std::vector<std::string> ladder_banners(const Ladder& ladder);
-/// Whether the measured value lies within the interval: "yes", "yes, by a wide interval", "no", "not converged", "no value".
-std::string validation_label(const Validation& validation);
-/// Core hours, or memory, to an uncertainty; "~" where beyond the sizes.
-std::string cores_text(const CostOfAccuracy& cost, double uncertainty);
-std::string memory_text(const CostOfAccuracy& cost, double uncertainty);
 
 }  // namespace tw

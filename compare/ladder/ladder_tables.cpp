@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/report/comparison_tables.h"
+#include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
@@ -41,7 +42,54 @@ std::string joined(const std::vector<std::string>& parts) {
     return out;
 }
 
+/// Whether the measured value lies within the interval.
+std::string validation_label(const Validation& v) {
+    switch (v.verdict) {
+        case Verdict::agree: return "yes";
+        case Verdict::undecided: return "yes, by a wide interval";
+        case Verdict::differ: return "no";
+        case Verdict::not_converged: return "not converged";
+        case Verdict::not_comparable:
+        case Verdict::not_estimated: break;
+    }
+    return "no value";
+}
+
+/// Core hours to an uncertainty; "~" where beyond the sizes.
+std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
+    if (!cost.known() || !(uncertainty > 0)) return "–";
+    const double core_seconds = cost.seconds_for(uncertainty);
+    if (core_seconds > 3.6e9) return "over a million";
+    return (cost.measured(core_seconds) ? "" : "~") + plain_number(core_seconds / 3600, 2);
+}
+
+/// Memory to an uncertainty likewise.
+std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
+    if (!cost.known() || !(uncertainty > 0)) return "–";
+    const double bytes = cost.seconds_for(uncertainty);
+    return fmt::format("{}{}", cost.measured(bytes) ? "" : "~",
+                       bytes < 1e9    ? plain_number(bytes / 1e6, 2) + " MB"
+                       : bytes < 1e13 ? plain_number(bytes / 1e9, 2) + " GB"
+                                      : std::string("over 10 TB"));
+}
+
 }  // namespace
+
+std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
+    std::string out;
+    if (q.values.size() < 2) return out;
+    for (const LadderDifference& d : q.differences()) {
+        const CostOfAccuracy &a = q.values[d.a].cost, &b = q.values[d.b].cost;
+        const double seconds = crossover_seconds(a, b), U = a.uncertainty_after(seconds);
+        if (!(seconds > 1) || !(seconds < 3e7) || no_more_than_rounding(U, d.size)) continue;
+        const bool first_steeper = a.slope > b.slope;
+        out += fmt::format("{}Beyond {}, at U = {} {}, {} is the cheaper one, before it {}.", out.empty() ? "" : " ",
+                           time_text(seconds), U, for_terminal(q.unit),
+                           for_terminal(method_label(ladder.sides[first_steeper ? d.a : d.b].method)),
+                           for_terminal(method_label(ladder.sides[first_steeper ? d.b : d.a].method)));
+    }
+    return out;
+}
 
 ReportTable ladder_verdicts(const Ladder& ladder) {
     ReportTable table{"Verdict of the ladder", {words("Quantity"), words("unit")}};
@@ -104,43 +152,25 @@ ReportTable ladder_held(const Ladder& ladder) {
     return table;
 }
 
-ReportTable ladder_values(const Ladder& ladder) {
-    ReportTable table{
-        "Values by size",
-        {words("Quantity"), words("unit"), words("method"), words("values, finest first"), numbers("± of the mean"),
-         numbers("order"), words("class"), numbers("U of the discretisation"), numbers("Eça & Hoekstra"),
-         numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]")}};
-    for (const LadderQuantity& q : ladder.quantities) {
-        if (!has_levels(q)) continue;
-        for (std::size_t k = 0; k < q.values.size(); ++k) {
-            const LadderValue& v = q.values[k];
-            const Estimate& e = v.estimate;
-            std::vector<std::string> values;
-            for (const StudyLevel& l : v.levels) values.push_back(plain_number(l.value, 5));
-            const double finest = v.levels.empty() ? 0 : v.levels.front().value;
-            const bool some =
-                std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
-            std::vector<std::string> remarks;
-            if (!v.levels.empty()) remarks.push_back(method_label(ladder.sides[k].method) + ": " + verdict_sentence(e));
-            for (const std::string& why : v.absent) remarks.push_back("not at " + why);
-            table.rows.push_back(
-                {{q.label, q.unit, method_cell(ladder, k), joined(values), uncertainty_cell(v.statistical, finest),
-                  std::isfinite(e.order) ? fmt::format("{:.2f}", e.order) : "–", to_string(e.convergence),
-                  uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.eca_hoekstra.uncertainty, finest),
-                  uncertainty_cell(e.celik_gci.uncertainty, finest), uncertainty_cell(e.xing_stern.uncertainty, finest),
-                  uncertainty_cell(v.uncertainty, finest), some ? plain_number(100 * v.uncertainty / q.size, 2) : "–"},
-                 joined(remarks)});
-        }
+ReportTable ladder_checks(const Ladder& ladder) {
+    std::vector<Gate> gates;
+    for (const LadderSide& side : ladder.sides) {
+        const auto add = [&](const LadderRun& run, const std::string& choice) {
+            for (Gate gate : run.failed_checks) {
+                gate.source = fmt::format("{} at {:g} m{}", side.method, run.spacing, choice);
+                gates.push_back(std::move(gate));
+            }
+        };
+        for (const LadderRun& run : side.runs) add(run, "");
+        for (const LadderVariation& v : side.variations) add(v.run, ", " + v.name);
     }
-    table.notes.push_back(
-        "U: half width of the 95 % interval. That of the discretisation is by trend and noise from three sizes on, and "
-        "contains the scatter from size to size; the bound of Eça and Hoekstra, the grid convergence index and the "
-        "factor "
-        "of safety are shown for comparison and are not used.");
-    return table;
+    return checks_table(gates, true);
 }
 
-ReportTable ladder_shares(const Ladder& ladder) {
+namespace {
+
+/// Every share of each interval, in per cent of the value.
+ReportTable shares_of_intervals(const Ladder& ladder) {
     ReportTable table{
         "What the intervals are made of, in per cent of the value",
         {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("Eça & Hoekstra"),
@@ -177,7 +207,45 @@ ReportTable ladder_shares(const Ladder& ladder) {
     return table;
 }
 
-ReportTable ladder_variations(const Ladder& ladder) {
+/// Values of every size, and what the estimators make of them.
+ReportTable values_by_size(const Ladder& ladder) {
+    ReportTable table{
+        "Values by size",
+        {words("Quantity"), words("unit"), words("method"), words("values, finest first"), numbers("± of the mean"),
+         numbers("order"), words("class"), numbers("U of the discretisation"), numbers("Eça & Hoekstra"),
+         numbers("GCI"), numbers("factor of safety"), numbers("U"), numbers("U [%]")}};
+    for (const LadderQuantity& q : ladder.quantities) {
+        if (!has_levels(q)) continue;
+        for (std::size_t k = 0; k < q.values.size(); ++k) {
+            const LadderValue& v = q.values[k];
+            const Estimate& e = v.estimate;
+            std::vector<std::string> values;
+            for (const StudyLevel& l : v.levels) values.push_back(plain_number(l.value, 5));
+            const double finest = v.levels.empty() ? 0 : v.levels.front().value;
+            const bool some =
+                std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
+            std::vector<std::string> remarks;
+            if (!v.levels.empty()) remarks.push_back(method_label(ladder.sides[k].method) + ": " + verdict_sentence(e));
+            for (const std::string& why : v.absent) remarks.push_back("not at " + why);
+            table.rows.push_back(
+                {{q.label, q.unit, method_cell(ladder, k), joined(values), uncertainty_cell(v.statistical, finest),
+                  std::isfinite(e.order) ? fmt::format("{:.2f}", e.order) : "–", to_string(e.convergence),
+                  uncertainty_cell(e.uncertainty, finest), uncertainty_cell(e.eca_hoekstra.uncertainty, finest),
+                  uncertainty_cell(e.celik_gci.uncertainty, finest), uncertainty_cell(e.xing_stern.uncertainty, finest),
+                  uncertainty_cell(v.uncertainty, finest), some ? plain_number(100 * v.uncertainty / q.size, 2) : "–"},
+                 joined(remarks)});
+        }
+    }
+    table.notes.push_back(
+        "U: half width of the 95 % interval. That of the discretisation is by trend and noise from three sizes on, and "
+        "contains the scatter from size to size; the bound of Eça and Hoekstra, the grid convergence index and the "
+        "factor "
+        "of safety are shown for comparison and are not used.");
+    return table;
+}
+
+/// The runs with another box, sound speed, time step or Courant number.
+ReportTable runs_with_other_choices(const Ladder& ladder) {
     ReportTable table{"Runs with other choices",
                       {words("Quantity"), words("unit"), words("method"), words("choice"), numbers("spacing", "m"),
                        numbers("value", "", 5), numbers("with that choice", "", 5), numbers("U")}};
@@ -193,7 +261,8 @@ ReportTable ladder_variations(const Ladder& ladder) {
     return table;
 }
 
-ReportTable ladder_prices(const Ladder& ladder) {
+/// What accuracy costs.
+ReportTable prices_of_accuracy(const Ladder& ladder) {
     ReportTable table{
         "What accuracy costs",
         {words("Quantity"), words("method"), numbers("slope of U over time"), numbers("time to 5 %"), numbers("to 2 %"),
@@ -228,7 +297,7 @@ ReportTable ladder_prices(const Ladder& ladder) {
     return table;
 }
 
-ReportTable ladder_runs(const Ladder& ladder) {
+ReportTable all_runs(const Ladder& ladder) {
     ReportTable table{"The runs of the ladder",
                       {words("method"), numbers("spacing at the hull", "m", 6), numbers(elements_of_all(), "", 4),
                        numbers("time steps", "", 5), numbers("wall time"), numbers("predicted"), numbers("core hours"),
@@ -245,19 +314,11 @@ ReportTable ladder_runs(const Ladder& ladder) {
     return table;
 }
 
-ReportTable ladder_checks(const Ladder& ladder) {
-    std::vector<Gate> gates;
-    for (const LadderSide& side : ladder.sides) {
-        const auto add = [&](const LadderRun& run, const std::string& choice) {
-            for (Gate gate : run.failed_checks) {
-                gate.source = fmt::format("{} at {:g} m{}", side.method, run.spacing, choice);
-                gates.push_back(std::move(gate));
-            }
-        };
-        for (const LadderRun& run : side.runs) add(run, "");
-        for (const LadderVariation& v : side.variations) add(v.run, ", " + v.name);
-    }
-    return checks_table(gates, true);
+}  // namespace
+
+std::vector<ReportTable> ladder_details(const Ladder& ladder) {
+    return {shares_of_intervals(ladder), values_by_size(ladder), runs_with_other_choices(ladder),
+            prices_of_accuracy(ladder), all_runs(ladder)};
 }
 
 }  // namespace tw

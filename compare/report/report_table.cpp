@@ -146,6 +146,19 @@ std::string html_of(const ReportTable& table, int heading) {
     for (const ReportRow& row : table.rows) out += row_html(row, table.columns);
     out += "</tbody></table></div>";
     for (const std::string& note : table.notes) out += "<p class=\"note\">" + escaped(note) + "</p>";
+    return out + table.picture;
+}
+
+std::string text_of(const std::vector<ReportTable>& tables) {
+    std::string out;
+    for (const ReportTable& table : tables)
+        if (!table.empty()) out += "\n" + text_of(table);
+    return out;
+}
+
+std::string html_of(const std::vector<ReportTable>& tables, int heading) {
+    std::string out;
+    for (const ReportTable& table : tables) out += html_of(table, heading);
     return out;
 }
 

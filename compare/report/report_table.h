@@ -50,6 +50,7 @@ struct ReportTable {
     std::vector<ReportColumn> columns;
     std::vector<ReportRow> rows = {};
     std::vector<std::string> notes = {};
+    std::string picture = {};  ///< markup that stands below it on the page alone: figures, links
 
     bool empty() const { return rows.empty(); }
 };
@@ -58,6 +59,9 @@ struct ReportTable {
 std::string text_of(const ReportTable& table);
 /// Heading (of that level), table and notes. Nothing for a table without rows.
 std::string html_of(const ReportTable& table, int heading = 2);
+/// All of them, on a terminal with an empty line before each.
+std::string text_of(const std::vector<ReportTable>& tables);
+std::string html_of(const std::vector<ReportTable>& tables, int heading = 2);
 /// The same under a heading that opens and closes it, closed at first.
 std::string folded_html(const ReportTable& table);
 /// A header line and the rows by RFC 4180: numbers with nine digits, words as they are. No title, remarks or notes.

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/ladder/judge_by_sizes.h"
 #include "compare/ladder/ladder_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/plot_data.h"
+#include "compare/report/sentences.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 
 namespace tw {
@@ -82,16 +85,63 @@ std::string plots(const Ladder& ladder) {
 
 }  // namespace
 
+std::vector<std::string> ladder_banners(const Ladder& ladder) {
+    std::vector<std::string> lines;
+    for (const LadderSide& side : ladder.sides)
+        if (!side.similar)
+            lines.push_back("The " + method_label(side.method) +
+                            " runs differ in more than their resolution: they do not form a family.");
+    for (const auto* list : {&ladder.notes, &ladder.left_out}) lines.insert(lines.end(), list->begin(), list->end());
+    return lines;
+}
+
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& q, const LadderDifference& d) {
+    return for_terminal(sentence_of(statement_of(ladder, q, d)));
+}
+
+std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& q) { return ladder_sentence(ladder, q, q); }
+
+std::string ladder_summary(const Ladder& ladder) {
+    std::string out;
+    for (const LadderQuantity* q : main_quantities(ladder.quantities))
+        for (const LadderDifference& d : q->differences()) out += ladder_sentence(ladder, *q, d) + "\n";
+    out += text_of(std::vector<ReportTable>{ladder_verdicts(ladder), ladder_held(ladder), ladder_checks(ladder)});
+    for (const std::string& line : ladder_banners(ladder)) out += "\n! " + for_terminal(line) + "\n";
+    return out;
+}
+
+std::string ladder_text(const Ladder& ladder) {
+    std::string out = fmt::format("# {}\n\n", for_terminal(ladder.title)) + ladder_summary(ladder) + "\n";
+    for (const LadderQuantity& q : ladder.quantities)
+        if (!is_main_quantity(q.name))
+            for (const LadderDifference& d : q.differences()) out += "- " + ladder_sentence(ladder, q, d) + "\n";
+    out += text_of(ladder_details(ladder));
+    if (ladder_held(ladder).empty())
+        for (const std::string& line : ladder.calibrated) out += "\nTuned, not validated: " + for_terminal(line) + "\n";
+    return out;
+}
+
 std::string ladder_html(const Ladder& ladder) {
     std::string out = html_of(ladder_held(ladder));
     if (out.empty())
         for (const std::string& line : ladder.calibrated)
             out += "<p class=\"note\">Tuned, not validated: " + escaped(line) + "</p>";
-    out += plots(ladder);
-    for (const ReportTable& table : {ladder_checks(ladder), ladder_shares(ladder), ladder_values(ladder),
-                                     ladder_variations(ladder), ladder_prices(ladder), ladder_runs(ladder)})
-        out += folded_html(table);
+    out += plots(ladder) + folded_html(ladder_checks(ladder));
+    for (const ReportTable& table : ladder_details(ladder)) out += folded_html(table);
     return out;
+}
+
+std::string ladder_csv(const Ladder& ladder, std::size_t side) {
+    const std::vector<LadderRun>& runs = ladder.sides.at(side).runs;
+    ReportTable table{"", {numbers("near_hull", "m")}};
+    for (const LadderRun& run : runs) table.rows.push_back({{run.spacing}});
+    for (const LadderQuantity& q : ladder.quantities) {
+        const std::vector<StudyLevel>& levels = q.values[side].levels;
+        if (levels.size() != runs.size()) continue;
+        table.columns.push_back(numbers(q.name, q.unit));
+        for (std::size_t i = 0; i < levels.size(); ++i) table.rows[i].cells.emplace_back(levels[i].value);
+    }
+    return csv_of(table);
 }
 
 }  // namespace tw
