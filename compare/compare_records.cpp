@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/errors.h"
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "compare/metrics/bodies.h"
 #include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"

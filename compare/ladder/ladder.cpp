@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "compare/ladder/held.h"
 #include "compare/ladder/sides.h"
 #include "compare/ladder/value.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "compare/read/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "compare/compare.h"
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
 #include "tests/unit/compare/synthetic_pair.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/label_places.h"
 #include "compare/report/levels_table.h"

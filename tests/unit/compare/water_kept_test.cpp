@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/gates.h"
+#include "compare/gates/gates.h"
 #include "compare/metrics/water_kept.h"
 #include "meshes/generate/shapes.h"
 #include "record/raster.h"
