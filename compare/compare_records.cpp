@@ -20,8 +20,7 @@
 #include "compare/metrics/walls.h"
 #include "compare/read/prepare.h"
 #include "compare/read/record_numbers.h"
-#include "compare/reference/planing_plate.h"
-#include "compare/reference/prismatic_hull.h"
+#include "compare/reference/planing.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 

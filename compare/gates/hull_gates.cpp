@@ -6,7 +6,7 @@
 
 #include "compare/gates/gate_list.h"
 #include "compare/read/record_numbers.h"
-#include "compare/reference/prismatic_hull.h"
+#include "compare/reference/planing.h"
 #include "meshes/shedding_edges.h"
 #include "record/force_names.h"
 

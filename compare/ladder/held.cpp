@@ -1,4 +1,4 @@
-#include "compare/ladder/held.h"
+#include "compare/ladder/steps.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <map>
 
 #include "base/errors.h"
-#include "compare/verdict/decide.h"
+#include "compare/verdict/judge.h"
 
 namespace tw {
 

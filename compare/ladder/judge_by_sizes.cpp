@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "compare/read/record_numbers.h"
-#include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 

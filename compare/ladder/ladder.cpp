@@ -7,11 +7,8 @@
 
 #include "base/errors.h"
 #include "compare/gates/gates.h"
-#include "compare/ladder/held.h"
-#include "compare/ladder/sides.h"
-#include "compare/ladder/value.h"
+#include "compare/ladder/steps.h"
 #include "compare/ladder/variation.h"
-#include "compare/ladder/verdict.h"
 #include "methods/methods.h"
 
 namespace tw {

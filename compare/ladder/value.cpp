@@ -1,4 +1,4 @@
-#include "compare/ladder/value.h"
+#include "compare/ladder/steps.h"
 
 #include <fmt/format.h>
 

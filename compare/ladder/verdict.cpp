@@ -1,4 +1,4 @@
-#include "compare/ladder/verdict.h"
+#include "compare/ladder/steps.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "compare/report/numbers.h"
 #include "compare/report/sentences.h"
-#include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 

@@ -1,4 +1,4 @@
-#include "compare/report/csv.h"
+#include "compare/report/report_files.h"
 
 #include <fmt/format.h>
 

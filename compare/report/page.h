@@ -8,7 +8,7 @@ namespace tw {
 
 /// Everything of a self-contained page before its body: it loads nothing from anywhere. `title`: plain text.
 /// `style`: rules beside the report's own. `scripts`: CSP sources of those that may run
-/// (script_source.h); empty: none may.
+/// (page_scripts.h); empty: none may.
 inline std::string page_begin(const std::string& title, const std::string& style = {},
                               const std::string& scripts = {}) {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "

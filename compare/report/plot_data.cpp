@@ -7,7 +7,6 @@
 
 #include "compare/report/base64.h"
 #include "compare/report/page_scripts.h"
-#include "compare/report/script_data.h"
 
 namespace tw {
 namespace {

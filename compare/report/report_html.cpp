@@ -1,4 +1,4 @@
-#include "compare/report/report_html.h"
+#include "compare/report/report_files.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,6 @@
 #include "compare/report/levels_table.h"
 #include "compare/report/page.h"
 #include "compare/report/page_scripts.h"
-#include "compare/report/script_source.h"
 #include "compare/report/view3d.h"
 #include "methods/methods.h"
 

@@ -17,7 +17,6 @@
 #include "compare/report/hull_pressure.h"
 #include "compare/report/page_scripts.h"
 #include "compare/report/pictures.h"
-#include "compare/report/script_data.h"
 #include "compare/report/view3d_mesh.h"
 #include "methods/methods.h"
 #include "record/water_surface.h"

@@ -3,8 +3,7 @@
 #include "base/atomic_file.h"
 #include "base/read_file.h"
 #include "compare/compare.h"
-#include "compare/report/csv.h"
-#include "compare/report/report_html.h"
+#include "compare/report/report_files.h"
 #include "compare/report/svg_plot.h"
 
 namespace tw {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-#include "compare/statistics/autocorrelation.h"
+#include "compare/statistics/error_of_mean.h"
 #include "compare/statistics/student_t.h"
 
 namespace tw {

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "compare/align/time_bins.h"
-#include "compare/statistics/autocorrelation.h"
-#include "compare/statistics/batch_means.h"
 #include "compare/statistics/drift.h"
+#include "compare/statistics/error_of_mean.h"
 #include "compare/statistics/mser.h"
 #include "text/plain_number.h"
 

@@ -24,7 +24,7 @@ struct SettledRules {
 ///   T_record, lacks up to D T_record/T of its limit: the value is known where that is at most twice the permitted
 ///   standard error, and its half width contains it, D's own interval and the mean's;
 /// - n_eff = n / (2 tau_int), u = s / sqrt(n_eff), half width t_95 u with the degrees of freedom that a correlated
-///   series has (correlated_t_95 in statistics/autocorrelation.h);
+///   series has (correlated_t_95 in statistics/error_of_mean.h);
 /// - overlapping batch means as a second opinion: where the two differ by more than 1.5 the wider one is used and the
 ///   value is marked unreliable.
 /// A series of too few independent samples whose whole standard deviation s is within `allowed_error` or half of

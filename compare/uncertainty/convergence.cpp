@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "compare/uncertainty/runaway.h"
+#include "compare/statistics/student_t.h"
+#include "compare/uncertainty/triplet.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -17,6 +18,49 @@ constexpr double least_order = 0.5;         ///< observed order below which chan
 constexpr double no_order = 0.1;            ///< below which a change from size to size is not told from one that stays
 constexpr double largest_of_order = 2;      ///< observed order over the scheme's above which it is coincidence
 constexpr double rounding_of_order = 1e-6;  ///< so that exact values of h^0.5 count as inside
+
+std::string of_three(std::span<const StudyLevel> levels) {
+    const Triplet t = finest_triplet(levels);
+    const double l21 = std::log(t.r21), l32 = std::log(t.r32), finest = t.eps21 / l21, coarser = t.eps32 / l32;
+    if (t.convergence == Convergence::unchanged || coarser == 0 || !(finest / coarser >= 2 * (1 - 1e-9))) return {};
+    // The half width of finest - 2 coarser, of the values' own noise and rounding.
+    const double of_1 = 1 / l21, of_2 = 1 / l21 + 2 / l32, of_3 = 2 / l32;
+    const double U = std::hypot(levels[0].half_width * of_1, levels[1].half_width * of_2, levels[2].half_width * of_3) +
+                     levels[0].rounding * of_1 + levels[1].rounding * of_2 + levels[2].rounding * of_3;
+    if (std::abs(finest - 2 * coarser) < U) return {};
+    return fmt::format("the changes grow {:.2g}-fold from the coarser pair of sizes to the finest", finest / coarser);
+}
+
+/// |b|/s_b of phi = c + b ln h by least squares; infinite where the values lie on the line.
+double significance_of_slope(std::span<const StudyLevel> levels) {
+    const auto n = static_cast<double>(levels.size());
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    for (const StudyLevel& l : levels) x += std::log(l.h) / n, y += l.value / n;
+    for (const StudyLevel& l : levels) {
+        const double dx = std::log(l.h) - x, dy = l.value - y;
+        xx += dx * dx, xy += dx * dy, yy += dy * dy;
+    }
+    const double RSS = std::max(0.0, yy - xy * xy / xx);
+    return std::abs(xy / xx) / std::sqrt(RSS / (n - 2) / xx);
+}
+
+/// Why the values run away as the spacing shrinks, and have no limit that could be estimated; empty where they do not,
+/// and where they are equal within their own noise and rounding (equal_within_noise in study_level.h).
+/// - three levels: they change to one side, and per factor in h the finest pair by twice as much as the coarser one or
+///   more: eps21/ln r21 >= 2 eps32/ln r32, the growth of 1/h between h and 2 h. (Three values of pure noise do that in
+///   one trial of ten; with the ITTC's R >= 1 it is one of six.) Where the values have noise of their own, as time means
+///   do, the excess has to lie beyond its 95 % interval.
+/// - more: the free fit of Eca & Hoekstra has p <= 0, and phi = c + b ln h, the border of divergence, has a slope
+///   beyond its 95 % interval, t = |b|/s_b > t_95(n - 2); without that test one family of seven that only scatters
+///   would be refused.
+/// `eca` of the same levels, which are as from finest_first.
+std::string why_running_away(std::span<const StudyLevel> levels, const EcaHoekstra& eca) {
+    if (equal_within_noise(levels)) return {};
+    if (levels.size() == 3) return of_three(levels);
+    if (eca.convergence != Convergence::divergent) return {};
+    const double t = significance_of_slope(levels), t_95 = student_t_95(static_cast<double>(levels.size()) - 2);
+    return t > t_95 ? eca.why_not : "";
+}
 
 void from_one_level(Estimate& e) { e.why_not = "one level shows no change; expected two or more"; }
 

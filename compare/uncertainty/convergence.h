@@ -3,11 +3,10 @@
 #include <vector>
 
 #include "base/numbers.h"
-#include "compare/uncertainty/celik_gci.h"
 #include "compare/uncertainty/eca_hoekstra.h"
 #include "compare/uncertainty/study_level.h"
 #include "compare/uncertainty/trend_noise.h"
-#include "compare/uncertainty/xing_stern.h"
+#include "compare/uncertainty/triplet_estimates.h"
 
 namespace tw {
 
@@ -24,7 +23,7 @@ namespace tw {
 /// change is 1/(r^p - 1) of that change: with p below 0.5 min(1, p_th) more than twice it (r = 2), which is no
 /// convergence (Eca & Hoekstra trust no p below 0.5 either); with p above 2 max(2, p_th) next to nothing, which only
 /// happens where terms cancel or the coarser sizes do not resolve what carries the answer. The interval is that of trend
-/// and noise, which does not use p. Divergent is left for values that run away (runaway.h): they have no uncertainty.
+/// and noise, which does not use p. Divergent is left for values that run away (why_running_away in convergence.cpp): they have no uncertainty.
 struct Estimate {
     std::vector<StudyLevel> levels;  ///< finest first
     double p_th = 2;                 ///< order of the scheme [-]

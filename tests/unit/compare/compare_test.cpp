@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "compare/compare.h"
-#include "compare/report/csv.h"
+#include "compare/report/report_files.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "tests/unit/compare/synthetic_pair.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "compare/reference/planing_plate.h"
+#include "compare/reference/planing.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
 #include "record/planing_plate.h"

@@ -4,7 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
-#include "compare/report/csv.h"
+#include "compare/report/report_files.h"
 #include "compare/report/egl_window.h"
 #include "compare/report/numbers.h"
 #include "tests/unit/compare/synthetic_pair.h"

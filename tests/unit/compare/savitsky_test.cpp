@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "compare/reference/prismatic_hull.h"
+#include "compare/reference/planing.h"
 #include "tests/data_table.h"
 #include "tests/unit/compare/synthetic_pair.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/ladder/judge_by_sizes.h"
-#include "compare/report/csv.h"
+#include "compare/report/report_files.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "compare/verdict/decide.h"
 #include "compare/verdict/judge.h"
 
 namespace tw {

@@ -1,7 +1,11 @@
 #pragma once
+#include <cstddef>
 #include <span>
 
 namespace tw {
+
+// How far the mean of a correlated series is known: by its autocorrelation, and independently of that by the means of
+// its parts.
 
 /// Integrated autocorrelation time in samples [-]:
 ///
@@ -17,5 +21,12 @@ double integrated_autocorrelation_time(std::span<const double> x, int fitted = 1
 /// 2 (2K + 1)/n = 10/n_eff, from tau_int with Sokal's window K = 5 tau_int; that of chi-square with nu degrees of freedom
 /// is 2/nu, so nu = (n_eff - fitted)/6.
 double correlated_t_95(double n_eff, int fitted);
+
+/// Standard error of the mean by overlapping batch means (Meketon & Schmeiser 1984), batches of b samples:
+///
+///   u^2 = b / ((n - b + 1)(n - b)) sum_j (mean_j - mean)^2
+///
+/// An estimate independent of the autocorrelation sum. Zero when b does not fit twice.
+double batch_means_error(std::span<const double> x, std::size_t b);
 
 }  // namespace tw

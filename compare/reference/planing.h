@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
+#include <vector>
 
+#include "compare/compare.h"
 #include "compare/reference/savitsky.h"
 #include "record/run_record.h"
 
@@ -16,5 +18,9 @@ struct PrismaticHull {
     double draft = 0;  ///< of the keel at the transom [m]
 };
 std::optional<PrismaticHull> prismatic_hull(const RunRecord& record);
+
+/// Lift and drag of a flat plate that planes (record/planing_plate.h) for a record of this flow: two dimensions, no
+/// gravity, a stream, and a hull whose wet bottom is one flat face (see prismatic_hull). Empty for any other record.
+std::vector<Reference> planing_plate_references(const RunRecord& record);
 
 }  // namespace tw

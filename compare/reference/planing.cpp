@@ -1,4 +1,6 @@
-#include "compare/reference/prismatic_hull.h"
+#include "compare/reference/planing.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +8,7 @@
 
 #include "compare/read/record_numbers.h"
 #include "record/hull_motion.h"
+#include "record/planing_plate.h"
 
 namespace tw {
 
@@ -49,7 +52,7 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
     constexpr double steepest = 0.7;  // [rad], 40 degrees: a planing bottom, and inside the formula's data
     if (deadrise > steepest) return {};
     constexpr double tolerance = 0.01;  // of a unit normal: about half a degree
-    double otherwise = 0;  // area that faces elsewhere
+    double otherwise = 0;               // area that faces elsewhere
     for (const auto& [a, n] : bottom) {
         const Vec3 expected(0, std::copysign(std::sin(deadrise), n.y()), -std::cos(deadrise));
         if ((n - expected).norm() > tolerance) otherwise += a;
@@ -58,6 +61,24 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
     s.deadrise = deadrise;
     s.beam = y_max - y_min;
     return hull;
+}
+
+std::vector<Reference> planing_plate_references(const RunRecord& record) {
+    const double depth = number_of(record, "depth", 0);
+    if (number_of(record, "dimensions", 3) != 2 || number_of(record, "gravity", 9.81) != 0 || !(depth > 0)) return {};
+    const std::optional<PrismaticHull> hull = prismatic_hull(record);
+    constexpr double flat = 0.01;  // [rad]
+    if (!hull || hull->state.deadrise > flat) return {};
+    const PlaningState& s = hull->state;
+    const std::optional<PlaningPlate> plate = planing_plate_at(s.trim, -hull->draft / depth);
+    if (!plate) return {};
+    const double N = plate->force * s.density * s.speed * s.speed * depth;
+    const std::string remark =
+        fmt::format("exact for an endless plate, without air; jet {:.4g} m thick", plate->delta * depth);
+    const auto reference = [&](const char* quantity, double value) {
+        return Reference{quantity, "N/m", "free streamlines", value, 0, remark, true};
+    };
+    return {reference("lift", N * std::cos(s.trim)), reference("drag", N * std::sin(s.trim))};
 }
 
 }  // namespace tw
