@@ -128,8 +128,8 @@ TEST(CheckSurface, TakesFlatFacesOfVeryUnequalTrianglesForWhatTheyAre) {
     }
 }
 
-TEST(CheckSurface, FindsTrianglesWithoutArea) {
-    // The deck's edge split on one side by a triangle whose corners lie on a line.
+/// A box whose deck's edge is split on one side by a triangle whose corners lie on a line.
+Surface box_with_an_empty_triangle() {
     Surface s = make_hull("box", {});
     const auto t = s.triangles[0];
     const int middle = static_cast<int>(s.points.size());
@@ -137,8 +137,10 @@ TEST(CheckSurface, FindsTrianglesWithoutArea) {
     s.triangles[0] = {t[0], middle, t[2]};
     s.triangles.push_back({middle, t[1], t[2]});
     s.triangles.push_back({t[0], t[1], middle});
-    expect_findings(s, "zero_area");
+    return s;
 }
+
+TEST(CheckSurface, FindsTrianglesWithoutArea) { expect_findings(box_with_an_empty_triangle(), "zero_area"); }
 
 TEST(CheckSurface, SuspectsMillimetresAndDistance) {
     const Surface hull = make_hull("prismatic", {});  // 4 m
@@ -323,13 +325,8 @@ TEST(MadeSymmetric, IsTheStarboardHalfTwice) {
 }
 
 TEST(RepairSurface, RemovesWhatHasNoArea) {
-    Surface s = make_hull("box", {});
-    const auto t = s.triangles[0];
-    const int middle = static_cast<int>(s.points.size());
-    s.points.push_back(0.5 * (s.points[static_cast<std::size_t>(t[0])] + s.points[static_cast<std::size_t>(t[1])]));
-    s.triangles[0] = {t[0], middle, t[2]};
-    s.triangles.push_back({middle, t[1], t[2]});
-    s.triangles.push_back({t[0], t[1], middle});
+    Surface s = box_with_an_empty_triangle();
+    const auto t = s.triangles[1];
     s.triangles.push_back({t[0], t[0], t[1]});
     s.triangles.push_back(s.triangles[3]);
     const Repaired r = repair_surface(s);

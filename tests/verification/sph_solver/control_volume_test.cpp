@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "run_of.h"
+#include "tests/run_of.h"
 
 namespace tw {
 namespace control_volume_test {

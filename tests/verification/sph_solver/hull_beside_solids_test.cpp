@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "record/run_record.h"
-#include "run_of.h"
+#include "tests/run_of.h"
 
 namespace tw {
 namespace hull_beside_solids_test {

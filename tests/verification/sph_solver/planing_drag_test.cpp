@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "run_of.h"
+#include "tests/run_of.h"
 
 namespace tw {
 namespace planing_drag_test {

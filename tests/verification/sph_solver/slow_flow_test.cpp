@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 #include "bodies.h"
-#include "run_of.h"
+#include "tests/run_of.h"
 #include "sph_solver/effects/dynamic_pressure.h"
 
 namespace tw {

@@ -18,7 +18,7 @@
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
-#include "run_of.h"
+#include "tests/run_of.h"
 #include "test_paths.h"
 
 namespace tw {
