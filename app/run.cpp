@@ -6,6 +6,7 @@
 #include "app/body_outcome.h"
 #include "app/budget.h"
 #include "app/campaign.h"
+#include "app/facts_json.h"
 #include "app/output.h"
 #include "app/ranks.h"
 #include "app/solvers.h"
