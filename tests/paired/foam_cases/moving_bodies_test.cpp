@@ -6,6 +6,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "foam_cases/dictionary.h"
+#include "foam_cases/plan_case.h"
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/run/case_programs.h"
 #include "foam_cases/write_case.h"
