@@ -14,8 +14,8 @@ html_theme = "sphinx_rtd_theme"
 chapters = {
     "Using twinwake": ["README", "scene/README", "docs/scene_reference", "studies/README", "meshes/README",
                        "import/README", "docs/PARAVIEW", "docs/cluster"],
-    "What is known": ["docs/theory", "docs/validation", "docs/stability", "docs/reliability", "docs/performance",
-                      "docs/limits", "docs/STATUS", "docs/decisions/README"],
+    "What is known": ["docs/theory", "docs/glossary", "docs/validation", "docs/stability", "docs/audit",
+                      "docs/reliability", "docs/performance", "docs/limits", "docs/STATUS", "docs/decisions/README"],
     "Changing twinwake": ["docs/ARCHITECTURE", "CONTRIBUTING", "CHANGELOG"],
 }
 
