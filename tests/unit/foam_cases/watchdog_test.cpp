@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "foam_cases/run/body_guard.h"
+#include "foam_cases/read/frame_reader.h"
 #include "foam_cases/run/watchdog.h"
 #include "meshes/generate.h"
 #include "meshes/mass_properties.h"
