@@ -103,8 +103,8 @@ struct CasePlan {
 
     // time
     double write_interval = 0;  ///< [s]; hull pressures (and so the water's force) are sampled at it
-    /// A tank: written at the step nearest to each write time. In a stream each write time is met exactly, for which
-    /// OpenFOAM splits the time between two of them evenly; where that is a few steps only, sampling sets the time step.
+    /// A tank, or a hull held in a stream: written at the step nearest to each write time. Else each is met exactly, for
+    /// which OpenFOAM splits the time between two of them evenly; where that is a few steps only, sampling sets the step.
     bool writes_at_steps = false;
     int time_precision = 8;     ///< digits in a write time's name
     int raster_every = 1;       ///< water is poured into the raster at every n-th write

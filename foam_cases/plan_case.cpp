@@ -183,7 +183,7 @@ void plan_times(CasePlan& plan) {
         plan.raster_every = std::max(1, static_cast<int>(std::ceil(interval / wanted - 1e-9)));
     }
     plan.write_interval = interval / plan.raster_every;
-    plan.writes_at_steps = !plan.stream;
+    plan.writes_at_steps = !plan.stream || hull_held_in_stream(scene);
     if (scene.sampling.snapshot_interval > 0)
         plan.snapshot_every =
             std::max(1, static_cast<int>(std::lround(scene.sampling.snapshot_interval / plan.write_interval)));

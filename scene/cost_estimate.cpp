@@ -36,7 +36,9 @@ constexpr double cost_of_geometric_capture = 4;       // interIsoFoam's step bes
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
 constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
 constexpr double steps_per_frame = 4;             // interFoam hits every sampling time and then regains its step slowly
-constexpr double start_seconds = 5;               // self-test, and starting the programs of a case
+// A hull held in a stream (decision 081): the demo's members, whose snapped cells set the steps; its settings.
+constexpr double held_steps_per_cell_crossing = 1.2, cost_of_held_step = 0.67;
+constexpr double start_seconds = 5;                    // self-test, and starting the programs of a case
 constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber
 constexpr double seconds_per_element_step = 1e-6;      // of a tyre's hexahedra
 constexpr double parallel_share = 0.8;                 // of each further core (1.58 times on two)
@@ -97,14 +99,19 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
 
 MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
     MethodCost cost;
-    const double courant_rate = steps_per_cell_crossing * speed_of_water(scene) / finest_spacing(scene) * 4 /
+    const bool held = hull_held_in_stream(scene);
+    const double courant_rate = (held ? held_steps_per_cell_crossing : steps_per_cell_crossing) *
+                                speed_of_water(scene) / finest_spacing(scene) * 4 /
                                 std::min(scene.fvm.max_courant, scene.fvm.max_alpha_courant) *
                                 (edge_refinement(scene).edges.empty() ? 1 : steps_of_shedding_edges);
-    cost.steps = scene.run.duration * std::max(courant_rate, steps_per_frame / scene.sampling.interval);
+    // A held hull's frames are taken at the steps there are.
+    const double frame_rate = held ? 0 : steps_per_frame / scene.sampling.interval;
+    cost.steps = scene.run.duration * std::max(courant_rate, frame_rate);
     const double n = cores(scene);
     const bool dearer = scene.fvm.captures_geometrically() && scene.domain.dimensions == 3;  // decision 066
+    const double of_a_step = dearer ? cost_of_geometric_capture : held ? cost_of_held_step : 1;
     cost.seconds = pace * (start_seconds + p.cells * mesh_seconds_per_cell +
-                           p.cells * cost.steps * (dearer ? cost_of_geometric_capture : 1) /
+                           p.cells * cost.steps * of_a_step /
                                (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
     cost.bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
     cost.elements = cost.with_walls = cost.most = p.cells;

@@ -272,6 +272,7 @@ void settle_times(Reading& r) {
     check_free_hull(scene, s);
     if (!r.overrides.interface.empty()) scene.fvm.interface = r.overrides.interface;
     settle_courant_numbers(scene);
+    if (!scene.places.contains("fvm.correctors")) scene.fvm.correctors = default_correctors(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     check_sound_speed(scene);
     scene.water.gravity = gravity;

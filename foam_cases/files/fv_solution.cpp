@@ -1,4 +1,5 @@
 #include "foam_cases/files/case_files.h"
+#include "scene/defaults.h"
 
 namespace tw {
 namespace {
@@ -22,7 +23,7 @@ std::string fv_solution(const CasePlan& plan) {
     Dictionary alpha{{"nAlphaCorr", 1},
                      {"nAlphaSubCycles", plan.scene->fvm.captures_geometrically() ? 4 : 1},
                      {"MULESCorr", true},
-                     {"nLimiterIter", 8},
+                     {"nLimiterIter", hull_held_in_stream(*plan.scene) ? 3 : 8},
                      {"alphaApplyPrevCorr", !plan.mesh_moves()},
                      {"solver", Word("smoothSolver")},
                      {"smoother", Word("symGaussSeidel")},
@@ -49,8 +50,9 @@ std::string fv_solution(const CasePlan& plan) {
     solvers.add(
         Key::pattern("pcorr.*"),
         Dictionary{{"solver", Word("PCG")}, {"preconditioner", preconditioner}, {"tolerance", 1e-5}, {"relTol", 0}});
-    solvers.add("p_rgh", pressure_solver(0.01));
-    solvers.add("p_rghFinal", pressure_solver(0.001));
+    const bool steady = hull_held_in_stream(*plan.scene);
+    solvers.add("p_rgh", pressure_solver(steady ? 0.05 : 0.01));
+    solvers.add("p_rghFinal", pressure_solver(steady ? 0.01 : 0.001));
     solvers.add(Key::pattern("(U|k|omega).*"), Dictionary{{"solver", Word("smoothSolver")},
                                                           {"smoother", Word("symGaussSeidel")},
                                                           {"nSweeps", 1},

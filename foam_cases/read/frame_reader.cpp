@@ -12,6 +12,7 @@
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
+#include "scene/defaults.h"
 #include "scene/friction_line.h"
 #include "scene/new_record.h"
 
@@ -121,15 +122,24 @@ void FrameReader::read(const TimeFolders::Moment& moment, const SolverLog& log, 
     keep_suction(walls, record);
 }
 
+/// Whether a write time is the first that belongs to its frame's time, within half a step as OpenFOAM writes.
+bool FrameReader::frame_is_due(double time, const SolverLog& log, const RunRecord& record) const {
+    if (plan_.raster_every == 1) return true;
+    const double interval = plan_.write_interval * plan_.raster_every;
+    const auto reached = [&](double t) {
+        const SolverLog::Step* step = log.at(t);
+        return std::floor((t + (step != nullptr ? step->step / 2 : 0)) / interval + 1e-4);
+    };
+    return reached(time) > (record.frames.empty() ? 0 : reached(record.frames.back().time));
+}
+
 void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const {
     const Scene& scene = *plan_.scene;
     const double factor = scene.symmetry_factor() / scene.span(), density = scene.water.density,
                  g = std::abs(scene.water.gravity);
     double volume = 0, kinetic = 0, potential = 0, fastest = 0, too_fast = 0;
     const double limit = plan_.water_speed_limit * plan_.water_speed_limit;
-    const double frames = moment.time / (plan_.write_interval * plan_.raster_every);
-    const bool due = plan_.writes_at_steps || std::abs(frames - std::round(frames)) < 1e-4;
-    const bool to_raster = due && scene.sampling.raster.voxel > 0;
+    const bool to_raster = scene.sampling.raster.voxel > 0 && frame_is_due(moment.time, log, record);
     Raster raster(scene.sampling.raster);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const fs::path folder = folders_.roots()[k] / moment.name;
@@ -167,6 +177,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     const Vec3 nowhere = CertificateLine{}.place;
     if (step != nullptr)
         note_worst(record, {"Courant number", "-", step->courant, 2 * scene.fvm.max_courant, moment.time, nowhere});
+    if (hull_held_in_stream(scene) && step != nullptr && moment.time >= scene.sampling.mean_from)
+        note_worst(record, continuity_of_held_hull(scene, *step));
     if (scene.motion.speed > 0)
         note_worst(record,
                    {"water speed over stream", "-", std::sqrt(fastest) / scene.motion.speed, 3, moment.time, nowhere});

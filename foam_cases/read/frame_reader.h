@@ -38,6 +38,7 @@ private:
         std::vector<Vec3> centres;
         std::vector<double> volumes;
     };
+    bool frame_is_due(double time, const SolverLog& log, const RunRecord& record) const;
     void read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const;
     void keep_load(double time, const WaterLoad& load, RunRecord& record) const;
     void keep_hull(double time, const HullPatch& patch, const WaterLoad& load, RunRecord& record) const;

@@ -140,6 +140,29 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     EXPECT_SAYS(control_dict(viscous), "wallShearStress");
 }
 
+// docs/decisions/081-what-interfoam-spends.md: what was measured of a held hull's load says nothing of a splash.
+TEST(CaseFiles, OnlyAHullHeldInAStreamIsSolvedWithSettingsThatCostLess) {
+    const Scene held = planing_scene();
+    const CasePlan plan = plan_case(held, v1912);
+    EXPECT_SAYS(control_dict(plan), "writeControl runTime;");
+    EXPECT_SAYS(fv_solution(plan), "tolerance 1e-07; relTol 0.05; } p_rghFinal");
+    EXPECT_SAYS(fv_solution(plan), "tolerance 1e-07; relTol 0.01; } \"(U|k|omega).*\"");
+    EXPECT_SAYS(fv_solution(plan), "nLimiterIter 3;");
+    Scene free = held, geometric = held, waiting = held;
+    free.hull->free.emplace().motion.mass = {300, Vec3(2.4, 0, 0.2), 300 * Eigen::Matrix3d::Identity()};
+    free.hull->free->motion.free = {{false, false, true}, {false, true, false}};
+    geometric.fvm.interface = "isoadvector";
+    waiting.motion.kind = Motion::Kind::none;
+    for (const Scene& other : {free, geometric, waiting, flat_plate_scene(), dam_break_scene()}) {
+        const CasePlan tight = plan_case(other, v1912);
+        EXPECT_SAYS(fv_solution(tight), "tolerance 1e-07; relTol 0.01; } p_rghFinal");
+        EXPECT_SAYS(fv_solution(tight), "tolerance 1e-07; relTol 0.001; } \"(U|k|omega).*\"");
+        EXPECT_SAYS(fv_solution(tight), "nLimiterIter 8;");
+        const bool stream = other.motion.kind == Motion::Kind::stream;
+        EXPECT_SAYS(control_dict(tight), stream ? "writeControl adjustableRunTime;" : "writeControl runTime;");
+    }
+}
+
 TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
     Scene scene = planing_scene();
     FreeHull& free = scene.hull->free.emplace();

@@ -159,6 +159,16 @@ TEST_F(InstallationTest, RanksKeepTheReleasesLibrariesAndTheFolderIsTheCase) {
     EXPECT_NE(told.find("PWD=" + folder.string() + "\n"), std::string::npos) << told;
 }
 
+// 5 % of a run's time (docs/decisions/081-what-interfoam-spends.md); who sets one of them gets it.
+TEST_F(InstallationTest, ProgramsKeepTheirMemoryUnlessTheUserSaysOtherwise) {
+    set("WM_PROJECT_DIR", release("v2506", "2506").string());
+    set("MALLOC_TOP_PAD_", "4096");
+    program(bin_of("v2506") / "tells", "echo $MALLOC_MMAP_THRESHOLD_ $MALLOC_TRIM_THRESHOLD_ $MALLOC_TOP_PAD_\n");
+    const CasePrograms programs(sound_openfoam(), folder);
+    programs.run("tells", {}, {});
+    EXPECT_EQ(read_text(programs.log("tells")), "33554432 1073741824 4096\n");
+}
+
 TEST_F(InstallationTest, BehindAPrefixProgramsRunInTheEnvironmentThere) {
     const fs::path inside = release("v2506", "2506");
     program(bin_of("v2506") / "mpirun", tells);

@@ -85,6 +85,20 @@ TEST(Cost, CellsRoundABodyThatMovesArePredictedAsTheyAreMade) {
     }
 }
 
+TEST(Cost, StepsOfAHeldHullAreThoseOfItsSnappedCellsWhateverTheFrames) {
+    // Made by interFoam v1912 to 1.6 s: docs/decisions/081-what-interfoam-spends.md.
+    for (const auto& [scale, made] : {std::pair{2.0, 219.0}, {1.4142, 410.0}}) {
+        SceneOverrides o;
+        o.scale_resolution = scale;
+        Scene s = read_scene(TWINWAKE_SOURCE "/studies/demo.toml", o);
+        const double steps = predict(s).of("fvm").steps;
+        EXPECT_GT(steps, made / 1.3) << scale;
+        EXPECT_LT(steps, made * 1.3) << scale;
+        s.sampling.interval /= 100;
+        EXPECT_EQ(predict(s).of("fvm").steps, steps) << scale;
+    }
+}
+
 TEST(Cost, TanksWithoutRefinementHaveCellsOfOneSizeWhateverTheSpacing) {
     const std::string bar = "[[obstacle]]\nname = \"bar\"\nmin = [0.6, 0, 0]\nmax = [0.7, 1, 0.1]\n";
     const Scene s = scene_of(with(tank, "near_hull = 0.01", "near_hull = 0.02\nspacing = 0.08") + bar);

@@ -111,6 +111,15 @@ TEST(Scene, ScalesOfOneSceneAreOneFamily) {
     }
 }
 
+TEST(Scene, AHullHeldInAStreamNeedsTwoPressureCorrectorsUnlessTheSceneSaysHowMany) {
+    EXPECT_EQ(scene_of(planing).fvm.correctors, 2);
+    EXPECT_EQ(scene_of(with(planing, "[run]", "[fvm]\ncorrectors = 3\n[run]")).fvm.correctors, 3);
+    EXPECT_EQ(scene_of("[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n"
+                       "[resolution]\nnear_hull = 0.1\n")
+                  .fvm.correctors,
+              3);
+}
+
 TEST(Scene, AStreamBearsALargeCourantNumberAndASplashDoesNot) {
     EXPECT_EQ(scene_of(planing).fvm.max_courant, 4);
     EXPECT_EQ(scene_of(with(planing, "[run]", "[fvm]\nmax_courant = 2\n[run]")).fvm.max_courant, 2);
