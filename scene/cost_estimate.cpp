@@ -110,9 +110,9 @@ MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
     const double n = cores(scene);
     const bool dearer = scene.fvm.captures_geometrically() && scene.domain.dimensions == 3;  // decision 066
     const double of_a_step = dearer ? cost_of_geometric_capture : held ? cost_of_held_step : 1;
-    cost.seconds = pace * (start_seconds + p.cells * mesh_seconds_per_cell +
-                           p.cells * cost.steps * of_a_step /
-                               (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
+    cost.seconds =
+        pace * (start_seconds + p.cells * mesh_seconds_per_cell +
+                p.cells * cost.steps * of_a_step / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
     cost.bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
     cost.elements = cost.with_walls = cost.most = p.cells;
     cost.in_words = plain_number(p.cells) + " cells";
