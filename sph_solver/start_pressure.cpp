@@ -5,7 +5,6 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include "base/disjoint_boxes.h"
 #include "scene/water_grid.h"
 
 namespace tw {
@@ -143,7 +142,7 @@ int find_start_pressure(const SimulationSetup& s, std::span<const Box> blocks, s
     std::size_t particles = 0;
     for (const Fluid& fluid : fluids) particles += fluid.places.size();
     int iterations = 0;
-    for (const std::vector<Box>& group : disjoint_groups(blocks, s.dimensions, clear)) {
+    for (const std::vector<Box>& group : waters_of(s, blocks)) {
         if (group.size() == 1 && force.is_weight() && weight == 1 && stands_between_walls(s, group.front(), clear))
             continue;
         const WaterGrid grid(group, bounds, s.dp, std::max(1e5, 4.0 * double(particles)));
