@@ -32,7 +32,10 @@
 namespace tw {
 namespace {
 
-std::string place(const Vec3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z()); }
+// + 0.0: minus zero is zero
+std::string place(const Vec3& p) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
+}
 
 std::string side_name(Side side, bool holds_water) {
     switch (side) {

@@ -90,6 +90,12 @@ std::optional<WaterLoad> read_load(const CasePlan& plan, const fs::path& case_fo
     return sum;
 }
 
+CertificateLine continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step) {
+    constexpr double limit = 0.3;
+    const double passing = scene.hull->length / scene.motion.speed;
+    return {"continuity error", "%", 100 * step.continuity / step.step * passing, limit, step.time};
+}
+
 FrameReader::FrameReader(const CasePlan& plan, const fs::path& case_folder)
     : plan_(plan), case_(case_folder), folders_(case_folder) {
     for (const fs::path& root : folders_.roots()) parts_.push_back(read_part(root / "0"));

@@ -19,6 +19,13 @@ std::optional<WaterLoad> read_load(const CasePlan& plan, const std::filesystem::
 /// The column [-]: share of the water that is faster than `water_speed_limit` of the plan.
 inline constexpr const char* fast_water = "fast_water";
 
+/// What a step's flow makes and swallows of the domain's water and air while the stream passes the hull once,
+///
+///   sum |div u| V / sum V * L / U   [%],
+///
+/// which says whether pressure is solved well enough for the hull's load (docs/decisions/081-what-interfoam-spends.md).
+CertificateLine continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step);
+
 /// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass,
 /// energies, the water's load on the hull or the solids of a tank. Half-model results are doubled here, once.
 class FrameReader {

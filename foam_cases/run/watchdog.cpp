@@ -81,12 +81,6 @@ Limits limits_of(const CasePlan& plan) {
     return limits;
 }
 
-CertificateLine continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step) {
-    constexpr double limit = 0.3;
-    const double passing = scene.hull->length / scene.motion.speed;
-    return {"continuity error", "%", 100 * step.continuity / step.step * passing, limit, step.time};
-}
-
 std::optional<std::string> trouble(const SolverLog& log, double largest_speed, const Limits& limits) {
     const Steps& steps = log.steps();
     if (steps.empty()) return std::nullopt;

@@ -26,13 +26,6 @@ struct Limits {
 /// What of them a scene has.
 Limits limits_of(const CasePlan& plan);
 
-/// What a step's flow makes and swallows of the domain's water and air while the stream passes the hull once,
-///
-///   sum |div u| V / sum V * L / U   [%],
-///
-/// which says whether pressure is solved well enough for the hull's load (docs/decisions/081-what-interfoam-spends.md).
-CertificateLine continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step);
-
 /// In plain words what is wrong and a likely cause; nothing while all is well. `largest_speed`, of air and water [m/s],
 /// may be NaN: unknown.
 std::optional<std::string> trouble(const SolverLog& log, double largest_speed, const Limits& limits);

@@ -94,7 +94,7 @@ TEST(Watchdog, BarksAtCellsThatHoldMoreThanTheyCan) {
     EXPECT_FALSE(trouble(log_with({.least = -0.1, .most = 1.2}), 1, {}));
 }
 
-TEST(Watchdog, ContinuityOfAHeldHullIsWhatIsMadeWhileTheStreamPassesItOnce) {
+TEST(FrameReader, ContinuityOfAHeldHullIsWhatIsMadeWhileTheStreamPassesItOnce) {
     const Scene scene = planing_scene();  // 4 m at 8 m/s
     const auto line = [&](double made) {  // of the domain in a step of 10 ms, of which half a second holds fifty
         SolverLog::Step step;

@@ -1,6 +1,8 @@
 // Input that is probably another unit, or another thing, than the one meant: asked back or warned of.
 #include "scene/doubtful_input.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "meshes/generate.h"
@@ -60,6 +62,23 @@ TEST(DoubtfulInput, AMassInTonnes) {
     EXPECT_NE(found_in(box + "density = 0.6\n", "odd_mass").find("the mass of body box is 0.0384 kg, "),
               std::string::npos);
     EXPECT_EQ(found_in(box + "density = 600\n", "odd_mass"), "");
+}
+
+// A block 0.2 m high in half a metre of water.
+TEST(DoubtfulInput, ABodyOnTheFloorThatHardlyStandsThere) {
+    const auto block = [](double density) {
+        return tank +
+               fmt::format(
+                   "[[body]]\nname = \"block\"\nshape = \"box\"\nlength = 0.2\nbeam = 0.2\nheight = 0.2\ndraft = 0\n"
+                   "position = [0.5, 0.5]\ndensity = {}\n",
+                   density);
+    };
+    EXPECT_NE(found_in(block(1200), "hardly_standing").find("weighs 1.2 times what the water round it lifts"),
+              std::string::npos);
+    EXPECT_EQ(found_in(block(2100), "hardly_standing"), "") << "stands";
+    EXPECT_EQ(found_in(block(900), "hardly_standing"), "") << "rises, as it should";
+    const std::string dry = with(block(1200), "max = [1, 1, 0.5]", "max = [0.2, 1, 0.5]");
+    EXPECT_EQ(found_in(dry, "hardly_standing"), "") << "the water stands elsewhere";
 }
 
 TEST(DoubtfulInput, ATableThatEndsBeforeTheRunWhileItMoves) {
