@@ -154,8 +154,8 @@ void flow_through_pipe(OpenFoam& candidate) {
         for (const CaseFile& f : pipe_case(flavour, candidate.wall_library))
             write_text_atomically(folder.path / f.path, f.text);
         const CasePrograms programs(candidate, folder.path);
-        // A solver that hangs is no sound one.
-        const double most = candidate.prefix.empty() ? 30 : 120;  // a container starts slowly
+        // A solver that hangs is no sound one. It takes a fifth of a second; a container or a busy machine takes longer.
+        constexpr double most = 120;  // [s]
         const double until = wall_clock() + most;
         const Watch patience = [&](Child&) { return wall_clock() > until; };
         const bool done = programs.run("blockMesh", {}, patience).ok() &&
