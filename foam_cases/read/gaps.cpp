@@ -75,7 +75,7 @@ std::optional<Gap> first_gap(const CasePlan& plan, const SolverLog& log, const R
     const Scene& scene = *plan.scene;
     const double interval = record.numbers.at("write_interval");
     const std::vector<Due> steps = steps_of(log, until), writes = write_times(interval, until);
-    double longest = 0;
+    double longest = log.steps().empty() ? interval / 2 : 0;  // without a log it is not known
     for (const SolverLog::Step& step : log.steps()) longest = std::max(longest, step.step);
     std::optional<Gap> earliest;
     const auto keep_earlier = [&](std::optional<Gap> gap) {

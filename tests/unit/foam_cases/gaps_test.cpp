@@ -17,7 +17,11 @@ protected:
         s.sampling.pressure = {{"keel", Vec3(1, 0, -0.1)}};
         return s;
     }();
-    CasePlan plan = plan_case(scene, Flavour{});
+    CasePlan plan = [this] {
+        CasePlan p = plan_case(scene, Flavour{});
+        p.writes_at_steps = false;  // as of a hull that is free, or of a section: write times are met exactly
+        return p;
+    }();
     SolverLog log;
     RunRecord record;
 
@@ -102,6 +106,11 @@ TEST_F(GapsTest, WithoutALogTheWriteTimesStillCount) {
     record.tables.erase("forces_total");
     EXPECT_FALSE(first_gap(plan, SolverLog(), record, 0.2));
     EXPECT_TRUE(first_gap(plan, SolverLog(), record, 0.26));
+    plan.writes_at_steps = true;
+    for (const char* table : {"samples", "forces"}) record.table(table).time = {0.053, 0.098, 0.153, 0.2};
+    EXPECT_FALSE(first_gap(plan, SolverLog(), record, 0.2)) << "how long steps were is not known";
+    for (const char* table : {"samples", "forces"}) record.table(table).time = {0.053, 0.2};
+    EXPECT_TRUE(first_gap(plan, SolverLog(), record, 0.2));
 }
 
 }  // namespace gaps_test
