@@ -169,7 +169,8 @@ double default_courant(const Scene& scene) {
 
 bool hull_held_in_stream(const Scene& scene) {
     return scene.motion.kind == Motion::Kind::stream && scene.hull && !scene.hull->free && !scene.hull->section &&
-           scene.bodies.empty() && !scene.fvm.captures_geometrically();
+           scene.hull->surface.bounds().max.z() > 0 && scene.bodies.empty() && !scene.effect_on("viscosity") &&
+           !scene.fvm.captures_geometrically();
 }
 
 int default_correctors(const Scene& scene) {

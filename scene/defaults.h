@@ -59,7 +59,8 @@ double default_courant(const Scene& scene);
 int default_correctors(const Scene& scene);
 /// Whether the loads of the FVM run become steady, because a stream passes a hull that is held: it then needs less than
 /// for a splash or a body that moves (docs/decisions/081-what-interfoam-spends.md). Not for sections, which may shed
-/// vortices, nor with the surface captured geometrically, where nothing was measured.
+/// vortices, nor under water, with viscosity or with the surface captured geometrically, where nothing was measured. Once
+/// the effects are planned.
 bool hull_held_in_stream(const Scene& scene);
 /// With the effect dynamic_pressure: of a fall through the layer that has weight, and that whose head is the pressure of
 /// the bodies' motion, viscous or inertial [m/s].

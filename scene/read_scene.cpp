@@ -272,7 +272,6 @@ void settle_times(Reading& r) {
     check_free_hull(scene, s);
     if (!r.overrides.interface.empty()) scene.fvm.interface = r.overrides.interface;
     settle_courant_numbers(scene);
-    if (!scene.places.contains("fvm.correctors")) scene.fvm.correctors = default_correctors(scene);
     if (scene.sph.c0 == 0) scene.sph.c0 = default_sound_speed(scene);
     check_sound_speed(scene);
     scene.water.gravity = gravity;
@@ -312,6 +311,7 @@ void settle_effects(Reading& r) {
     Scene& scene = r.scene;
     Sections& s = r.sections;
     scene.effects = plan_effects(scene, s.effects);
+    if (!scene.places.contains("fvm.correctors")) scene.fvm.correctors = default_correctors(scene);
     scene.sph.c0 *= r.overrides.sound_speed_factor;
     check_elastic(scene, s);
     warn_of_slow_bodies(scene);

@@ -148,12 +148,13 @@ TEST(CaseFiles, OnlyAHullHeldInAStreamIsSolvedWithSettingsThatCostLess) {
     EXPECT_SAYS(fv_solution(plan), "tolerance 1e-07; relTol 0.05; } p_rghFinal");
     EXPECT_SAYS(fv_solution(plan), "tolerance 1e-07; relTol 0.01; } \"(U|k|omega).*\"");
     EXPECT_SAYS(fv_solution(plan), "nLimiterIter 3;");
-    Scene free = held, geometric = held, waiting = held;
+    Scene free = held, geometric = held, waiting = held, under = held;
     free.hull->free.emplace().motion.mass = {300, Vec3(2.4, 0, 0.2), 300 * Eigen::Matrix3d::Identity()};
     free.hull->free->motion.free = {{false, false, true}, {false, true, false}};
     geometric.fvm.interface = "isoadvector";
     waiting.motion.kind = Motion::Kind::none;
-    for (const Scene& other : {free, geometric, waiting, flat_plate_scene(), dam_break_scene()}) {
+    for (Vec3& p : under.hull->surface.points) p.z() -= 2;
+    for (const Scene& other : {free, geometric, waiting, under, flat_plate_scene(), dam_break_scene()}) {
         const CasePlan tight = plan_case(other, v1912);
         EXPECT_SAYS(fv_solution(tight), "tolerance 1e-07; relTol 0.01; } p_rghFinal");
         EXPECT_SAYS(fv_solution(tight), "tolerance 1e-07; relTol 0.001; } \"(U|k|omega).*\"");

@@ -114,6 +114,7 @@ TEST(Scene, ScalesOfOneSceneAreOneFamily) {
 TEST(Scene, AHullHeldInAStreamNeedsTwoPressureCorrectorsUnlessTheSceneSaysHowMany) {
     EXPECT_EQ(scene_of(planing).fvm.correctors, 2);
     EXPECT_EQ(scene_of(with(planing, "[run]", "[fvm]\ncorrectors = 3\n[run]")).fvm.correctors, 3);
+    EXPECT_EQ(scene_of(planing + "[effects]\nviscosity = \"on\"\n").fvm.correctors, 3) << "not measured";
     EXPECT_EQ(scene_of("[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n"
                        "[resolution]\nnear_hull = 0.1\n")
                   .fvm.correctors,
