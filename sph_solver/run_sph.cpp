@@ -109,6 +109,7 @@ private:
 
     /// Water, walls and bodies where they start, on the processor or the GPU.
     void set_up(RunRecord& fresh) {
+        std::optional<ControlVolume> control_volume;
         {
             const PhaseTimer timer(fresh, "particles");
             SphSetup setup = sph_setup(scene_, threads_);
@@ -120,7 +121,7 @@ private:
                                                                        : "");
             ranks_.together([&] { simulation_.emplace(setup.simulation, setup.fluid, passes(isa.c_str())); });
             if (setup.air) add_air(*simulation_, setup.air->options, setup.air->fluid);
-            control_volume_ = std::move(setup.control_volume);
+            control_volume = std::move(setup.control_volume);
             if (setup.pressure_iterations > 0) fresh.numbers["start_pressure_iterations"] = setup.pressure_iterations;
         }
         std::string no_room;  // others may have taken the GPU's memory
@@ -128,8 +129,8 @@ private:
         if (!no_room.empty()) fresh.attributes["gpu_left_alone"] = no_room;
         if (on_gpu_ && no_room.empty())
             fresh.attributes["device"] = leave_steps_to_gpu(*simulation_);
-        else if (control_volume_)
-            simulation_->set_control_volume(*control_volume_);
+        else if (control_volume)
+            simulation_->set_control_volume(*control_volume);
         // the coarsest level is whole everywhere
         mass_at_start_ =
             earlier_ ? earlier_->checkpoint.mass_at_start : simulation_->mass() * double(simulation_->level(0).count());
@@ -351,7 +352,6 @@ private:
     int threads_;
     std::optional<EarlierRun> earlier_;
     std::optional<Simulation> simulation_;
-    std::optional<ControlVolume> control_volume_;
     std::optional<Recorder> recorder_;
     std::optional<SprayGate> gate_ = SprayGate::of(scene_.sph);
     double mass_at_start_ = 0;                                         // [kg]
