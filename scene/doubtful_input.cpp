@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/gap.h"
 #include "meshes/mass_properties.h"
 #include "scene/walls_met.h"
 #include "scene/water_blocks.h"
@@ -75,12 +76,9 @@ std::optional<double> level_round(const MovingBody& body, const Scene& scene) {
     const double near = scene.resolution.near_hull;
     const Box at = body.surface.bounds();
     std::optional<double> level;
-    for (const Box& block : blocks_of_water(scene)) {
-        bool beside = block.min.z() <= at.min.z() + near;
-        for (int a = 0; a < 2; ++a)
-            beside = beside && block.min[a] <= at.max[a] + near && block.max[a] >= at.min[a] - near;
-        if (beside) level = std::max(level.value_or(-HUGE_VAL), block.max.z());
-    }
+    for (const Box& block : blocks_of_water(scene))
+        if (block.min.z() <= at.min.z() + near && gap_of_boxes(at, block) <= near)
+            level = std::max(level.value_or(-HUGE_VAL), block.max.z());
     return level;
 }
 
