@@ -12,6 +12,7 @@
 #include "foam_cases/read/hull_patch.h"
 #include "meshes/generate.h"
 #include "record/snapshot.h"
+#include "scenes.h"
 
 namespace tw {
 namespace read_test {
@@ -190,6 +191,19 @@ TEST_F(ReadTest, ASurfaceWhoseNumbersContradictEachOtherIsNoSurface) {
     EXPECT_FALSE(read("POLYGONS 1 4", "POLYGONS 1 40000000"));
     EXPECT_FALSE(read("p 1 1 float\n100", "p 1 0 float\n"));
     EXPECT_FALSE(read("p 1 1 float\n100", "p 2 1 float\n100 3"));
+}
+
+TEST(FrameReader, ContinuityOfAHeldHullIsWhatIsMadeWhileTheStreamPassesItOnce) {
+    const Scene scene = planing_scene();  // 4 m at 8 m/s
+    const auto line = [&](double made) {  // of the domain in a step of 10 ms, of which half a second holds fifty
+        SolverLog::Step step;
+        step.step = 0.01, step.continuity = made;
+        return continuity_of_held_hull(scene, step);
+    };
+    EXPECT_NEAR(line(1e-5).value, 0.05, 1e-12);
+    EXPECT_TRUE(line(1e-5).met());
+    EXPECT_FALSE(line(1e-4).met());
+    EXPECT_FALSE(line(std::nan("")).met());
 }
 
 }  // namespace read_test

@@ -94,19 +94,6 @@ TEST(Watchdog, BarksAtCellsThatHoldMoreThanTheyCan) {
     EXPECT_FALSE(trouble(log_with({.least = -0.1, .most = 1.2}), 1, {}));
 }
 
-TEST(FrameReader, ContinuityOfAHeldHullIsWhatIsMadeWhileTheStreamPassesItOnce) {
-    const Scene scene = planing_scene();  // 4 m at 8 m/s
-    const auto line = [&](double made) {  // of the domain in a step of 10 ms, of which half a second holds fifty
-        SolverLog::Step step;
-        step.step = 0.01, step.continuity = made;
-        return continuity_of_held_hull(scene, step);
-    };
-    EXPECT_NEAR(line(1e-5).value, 0.05, 1e-12);
-    EXPECT_TRUE(line(1e-5).met());
-    EXPECT_FALSE(line(1e-4).met());
-    EXPECT_FALSE(line(std::nan("")).met());
-}
-
 // What the log sums up is of all correctors of all steps: 0.08 in a dam break that was right.
 TEST(Watchdog, BarksAtErrorsOfContinuity) {
     expect_says(trouble(log_with({.local = 2e-3}), 1, {}), "0.002 of the domain's volume");
