@@ -41,22 +41,22 @@ struct FirstOrder {
     }
     /// After all neighbours; then `value` may be asked.
     void solve(bool two_dimensional) {
-        const Real one{};
-        const Real inv_S = S > 0.0f ? 1.0f / S : one;
+        const Real zero{};
+        const Real inv_S = S > 0.0f ? 1.0f / S : zero;
         // the second moment over S is 0.06 to 0.07 in the water (lengths in 2h)
-        const Real a = xx * inv_S, d = two_dimensional ? one + 0.07f : yy * inv_S, f = zz * inv_S;
+        const Real a = xx * inv_S, d = two_dimensional ? zero + 0.07f : yy * inv_S, f = zz * inv_S;
         const Real xy_S = xy * inv_S, xz_S = xz * inv_S, yz_S = yz * inv_S;
         const V3<Real> m{b.x * inv_S, b.y * inv_S, b.z * inv_S};
         const Real cxx = d * f - yz_S * yz_S, cxy = xz_S * yz_S - xy_S * f, cxz = xy_S * yz_S - xz_S * d;
         const Real cyy = a * f - xz_S * xz_S, cyz = xy_S * xz_S - a * yz_S, czz = a * d - xy_S * xy_S;
         const Real det = a * cxx + xy_S * cxy + xz_S * cxz;
-        const Real inv = det > 1e-6f ? 1.0f / det : one;
+        const Real inv = det > 1e-6f ? 1.0f / det : zero;
         c_ = {(cxx * m.x + cxy * m.y + cxz * m.z) * inv, (cxy * m.x + cyy * m.y + cyz * m.z) * inv,
               (cxz * m.x + cyz * m.y + czz * m.z) * inv};
         const Real left = 1.0f - dot(c_, m);
-        const Real use = left > 0.1f ? one + 1.0f : one;
+        const Real use = left > 0.1f ? zero + 1.0f : zero;
         c_ = use * c_;
-        inv_ = inv_S * (left > 0.1f ? 1.0f / left : one + 1.0f);
+        inv_ = inv_S * (left > 0.1f ? 1.0f / left : zero + 1.0f);
     }
     Real value(const Field& field) const { return (field.f - dot(c_, field.r)) * inv_; }
     /// Shepard's mean of a sum of V_j W_j f_j.

@@ -17,7 +17,7 @@ struct MeetOther {
     const Shifting shifting;
     const Contact contact;
     const V3<Real> u_i;
-    Real divergence{}, support{}, difference2{};  // the first is -div u
+    Real compression{}, support{}, difference2{};  // the first is -div u
     V3<Real> shift{};
 
     MeetOther(const MeetOtherData& data, const Own& i)
@@ -26,19 +26,19 @@ struct MeetOther {
           contact(d.water.rho0, d.other.rho0),
           u_i(i.velocities(d.water.motion)) {}
 
-    void sums(auto&& of) { of(divergence, support, difference2, shift); }
+    void sums(auto&& of) { of(compression, support, difference2, shift); }
     void meet(std::int32_t j, const Met& ij) {
         support += ij.V_W();
         shifting.add(ij, shift);
         const V3<Real> u_ij = u_i - velocity(d.other.motion[j]);
         Shifting::add_difference(ij, u_ij, difference2);
-        Continuity::add(ij, u_ij, divergence);
+        Continuity::add(ij, u_ij, compression);
     }
     void store(const Own& i) {
         support *= d.water.kernel.W_over_G, difference2 *= d.water.kernel.W_over_G;
-        divergence *= contact.of_own;
+        compression *= contact.of_own;
         i.for_each([&](int own, int l) {
-            d.sums[own] = {shift.x[l], shift.y[l], shift.z[l], support[l], divergence[l], difference2[l]};
+            d.sums[own] = {shift.x[l], shift.y[l], shift.z[l], support[l], compression[l], difference2[l]};
         });
     }
 };

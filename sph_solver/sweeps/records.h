@@ -32,7 +32,7 @@ struct alignas(16) ShiftSupportRecord {
 /// What the other phase adds to the first sweep's sums, see equations/level_pair.h: of shifting [1/m], support [-],
 /// -div u [1/s], v^2 of shifting [m2/s2].
 struct OtherSums {
-    float x, y, z, support, divergence, difference2;
+    float x, y, z, support, compression, difference2;
 };
 /// Per-particle rates [m/s2], [kg/m3/s].
 struct alignas(16) RateRecord {

@@ -21,9 +21,8 @@ TW_ALONE void shift_along_surface(const V3<Real>& N, const Own& own, ShiftSuppor
     });
 }
 
-/// Second sweep: pressure, artificial viscosity, density diffusion and what ties density to packing at walls. Walls press,
-/// and do not rub (slip).
-struct SecondSweep {
+/// The sums of the second pair loop (right_hand_side.h): what the particles bring, and how the sums become rates.
+struct SecondSums {
     const SecondSweepData& d;
     const DensityDiffusion density_diffusion;
     const ArtificialViscosity<Math> artificial_viscosity;
@@ -36,7 +35,7 @@ struct SecondSweep {
     V3<Real> water{}, towards_surface{}, a_wall{};
     EdgeRelease<Real> edge_release{};
 
-    SecondSweep(const SecondSweepData& data, const Own& i)
+    SecondSums(const SecondSweepData& data, const Own& i)
         : d(data),
           density_diffusion{0.5f * d.water.kernel.support_length},
           artificial_viscosity{d.viscosity},
@@ -53,13 +52,6 @@ struct SecondSweep {
 
     ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
     void sums(auto&& of) { of(diffusion, water, towards_surface); }
-    void meet(std::int32_t j, const Met& ij) {
-        const VelocityDensityRecord& r_j = d.water.motion[j];
-        const GradientPressureRecord& s_j = d.water.stress[j];
-        density_diffusion.add(ij, r_j.drho - drho_i, grad_i + V3<float>{s_j.gx, s_j.gy, s_j.gz}, diffusion);
-        PressureGradient::add(ij, p_i + s_j.p + artificial_viscosity.pressure(ij, u_i - velocity(r_j)), water);
-    }
-    void meet_at_surface(const Met& ij) { towards_surface += ij.V_gradW(); }
     /// Some of the particles are beyond an edge and lack support.
     void reach_walls(const Own& i) {
         if (d.leaving == nullptr) return;
@@ -70,25 +62,8 @@ struct SecondSweep {
             edge_release.s[l] = released_share(d.water.stress[own].p, d.water.rho0, way.speed2);
         });
     }
-    void meet_wall(std::int32_t j, const Met& ij, V3<Real>& force) const {
-        PressureGradient::add(ij, p_i + d.walls.p[j], force);
-    }
-    V3<Real> push(const V3<Real>& force) {
-        V3<Real> a = inv_rho * force;
-        edge_release.apply(a);
-        a_wall += a;
-        return a;
-    }
-    void store(const Own& i) const {
-        Real drho = d.diffusion * diffusion;
-        if (d.packing > 0 && i.group.wall_list.size > 0) follow_packing(i, drho);
-        const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx, water.y * inv_rho + a_wall.y + d.gy,
-                         water.z * inv_rho + a_wall.z + d.gz};
-        i.for_each([&](int own, int l) { d.rate[own] = {a.x[l], a.y[l], a.z[l], drho[l]}; });
-        shift_along_surface(towards_surface, i, d.shift);
-    }
 
-private:
+protected:
     void follow_packing(const Own& i, Real& drho) const {
         const Real surface2 = dot(towards_surface, towards_surface);
         i.for_each([&](int own, int l) {
@@ -96,14 +71,11 @@ private:
                 drho[l] += d.packing * Packing::excess(d.shift[own].support, surface2[l]);
         });
     }
+    void store_rates(const Own& i, const V3<Real>& a, const Real& drho) const {
+        i.for_each([&](int own, int l) { d.rate[own] = {a.x[l], a.y[l], a.z[l], drho[l]}; });
+    }
 };
 
 }  // namespace
-
-template <>
-void pass(const SecondSweepData& d, const Group* groups, int count) {
-    run<SecondSweep>(d, groups, count);
-}
-
 }  // namespace TW_ISA
 }  // namespace tw
