@@ -102,8 +102,10 @@ std::string leave_steps_to_gpu(Simulation& simulation) {
     const std::shared_ptr<cuda::Device> device = cuda::Device::open();
     if (const std::string why = why_no_room(*device, simulation); !why.empty())
         throw InputError(why + ": coarser particles, a smaller domain, or [run] device = \"cpu\"");
-    for (std::size_t k = 0; k < simulation.levels().size(); ++k)
-        simulation.level(k).leave_steps_to(std::make_unique<LevelOnDevice>(simulation.level(k), device));
+    for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
+        Level& level = simulation.level(k);
+        level.leave_steps_to(std::make_unique<LevelOnDevice>(level.system(), level.share(), device));
+    }
     return device->name();
 }
 

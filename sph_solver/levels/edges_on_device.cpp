@@ -3,7 +3,6 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/levels/arrays_on_device.h"
-#include "sph_solver/levels/level.h"
 #include "sph_solver/sweeps/interpolate.h"
 
 namespace tw {
@@ -24,7 +23,7 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
     take.to_place = on.giving_place.data(), take.to_motion = on.giving_motion.data();
     take.known_support = or_null(on.giving_support), take.rate = or_null(on.giving_rate);
     launch(*device_, "tw_put_giving", cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
-    const auto columns = static_cast<std::size_t>(level_.grid_.count()) + 1;
+    const auto columns = static_cast<std::size_t>(level_.grid.count()) + 1;
     const auto source = [&](const SortedOnDevice& order, std::size_t from, cuda::Array<int>& start) {
         start.resize(columns);
         launch(*device_, "tw_start_giving",
@@ -35,13 +34,12 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
 }
 
 cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Asking& asking) {
-    if (host_counts_) take_state();
     update_records();
     Arrays& on = *on_;
-    const ColumnGrid grid = level_.grid_.scaled(asking.apart);
-    const double quantum = level_.quanta_.size;
+    const ColumnGrid grid = level_.grid.scaled(asking.apart);
+    const double quantum = level_.quanta.size;
     Arrays::Asked& at =
-        on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup_.dp, quantum))
+        on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup.dp, quantum))
             .first->second;
     const std::size_t n = at.order.sort(wide.data(), nullptr, nullptr, wide.size());
     at.place.resize(n), at.value.resize(n), at.support.resize(n), at.mean_support.resize(n);
@@ -49,7 +47,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     launch(*device_, "tw_sort_asked", cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
     at.groups.make(grid, at.order, at.place.data());
     const std::vector<cuda::DeviceSource> giving = note_giving(asking);
-    at.lists.build(level_.grid_, grid, at.place.data(), at.groups.column(), at.groups.groups(), giving,
+    at.lists.build(level_.grid, grid, at.place.data(), at.groups.column(), at.groups.groups(), giving,
                    level_.reaches_of_interpolation() / quantum);
     InterpolateData d = level_.interpolation();
     d.list = at.lists.view();
@@ -76,9 +74,11 @@ cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Ask
 }
 
 void LevelOnDevice::interpolate(FieldsAt& at) {
+    at.resize();
+    if (at.places.empty()) return;
     Arrays& on = *on_;
     std::vector<WidePlace> wide;
-    for (const Vec3& x : at.places) wide.push_back(level_.quanta_.wide(x));
+    for (const Vec3& x : at.places) wide.push_back(level_.quanta.wide(x));
     on.wide_of_others.take(wide);
     const cuda::FoundAt found = ask(on.wide_of_others, at);
     on.given.resize(wide.size());
@@ -176,7 +176,7 @@ std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
     on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? staying : 0); });
     launch(*device_, "tw_reorder", cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, staying);
     on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
-    level_.particles_.resize(staying);
+    level_.particles.resize(staying);
     on.gone_at_edge.resize(staying);
     on.gone_at_edge.set_zero();
     home_ = false;
@@ -227,8 +227,8 @@ std::vector<Located> LevelOnDevice::guards() {
 void LevelOnDevice::add(const std::vector<Child>& children) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    level_.particles_.resize(n + children.size());
-    on.p.each_with(level_.particles_, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
+    level_.particles.resize(n + children.size());
+    on.p.each_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
     on.children.take(children);
     launch(*device_, "tw_add_children", cuda::AddChildren{on.children.data(), on.p.all(), n}, children.size());
     home_ = false;

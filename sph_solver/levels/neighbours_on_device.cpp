@@ -1,7 +1,6 @@
 // Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and walls.
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/levels/arrays_on_device.h"
-#include "sph_solver/levels/level.h"
 
 namespace tw {
 
@@ -12,7 +11,7 @@ void LevelOnDevice::make_lists(double drift) {
     cross_faces();
     sort_particles();
     find_images(std::max(among.far, to_walls.far));
-    Particles& p = level_.particles_;
+    Particles& p = level_.particles;
     const std::size_t n = on.p.size(), all = n + on.links.size();
     p.resize(n);
     p.make_room(on.links.size());
@@ -22,16 +21,16 @@ void LevelOnDevice::make_lists(double drift) {
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
     update_records();
-    on.groups.make(level_.grid_, on.order, on.place.data());
+    on.groups.make(level_.grid, on.order, on.place.data());
     const std::vector<cuda::DeviceSource> water = sources();
-    on.lists.build(level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.groups.groups(), water,
-                   among / level_.quanta_.size);
-    if (!level_.walls_.empty()) {
-        level_.walls_.sort(level_.grid_, level_.quanta_, cuda::lanes_of_group);
-        if (level_.walls_.move()) take_sorted_dummies();
+    on.lists.build(level_.grid, level_.grid, on.place.data(), on.groups.column(), on.groups.groups(), water,
+                   among / level_.quanta.size);
+    if (!level_.walls.empty()) {
+        level_.walls.sort(level_.grid, level_.quanta, cuda::lanes_of_group);
+        if (level_.walls.move()) take_sorted_dummies();
         for (Arrays::Part& part : on.parts)
-            part.lists.build(level_.grid_, level_.grid_, on.wall_place.data() + part.first, part.column, part.groups,
-                             water, to_walls / level_.quanta_.size);
+            part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.column, part.groups,
+                             water, to_walls / level_.quanta.size);
         find_walls(to_walls);
     }
     home_ = order_is_home_ = false;
@@ -45,12 +44,12 @@ std::vector<cuda::DeviceSource> LevelOnDevice::sources() const {
             on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
 }
 
-DeviceSteps::Neighbours LevelOnDevice::find_neighbours(DeviceSteps& other, const Reaches& reaches) {
+StepMaker::Near LevelOnDevice::find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists&) {
     Arrays& on = *on_;
     const auto& of = static_cast<LevelOnDevice&>(other);
     on.asking_others.copy(on.groups.groups());
-    on.lists_of_others.build(of.level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.asking_others,
-                             of.sources(), reaches / level_.quanta_.size);
+    on.lists_of_others.build(of.level_.grid, level_.grid, on.place.data(), on.groups.column(), on.asking_others,
+                             of.sources(), reaches / level_.quanta.size);
     std::size_t n = on.asking_others.size();
     on.near_others.resize(n);
     on.count.set_zero();
@@ -66,12 +65,12 @@ DeviceSteps::Neighbours LevelOnDevice::find_neighbours(DeviceSteps& other, const
 void LevelOnDevice::cross_faces() {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    const Box& domain = level_.around_.domain;
-    const Faces faces = faces_of(level_.around_.mirrors, domain);
-    Ledger& ledger = level_.ledger_;
+    const Box& domain = level_.around.domain;
+    const Faces faces = faces_of(level_.around.mirrors, domain);
+    Ledger& ledger = level_.ledger;
     std::size_t all = n;
-    if (const auto& stream = level_.around_.stream) {
-        const CrossOpenings cross{domain.min.x(), domain.max.x(), stream->buffer, level_.setup_.dp};
+    if (const auto& stream = level_.around.stream) {
+        const CrossOpenings cross{domain.min.x(), domain.max.x(), stream->buffer, level_.setup.dp};
         on.gone.resize(n);
         int* const entered = on.entered.of(n);
         launch(*device_, "tw_cross", cuda::Cross{cross, on.p.x.data(), on.p.kind.data(), entered, on.gone.data()}, n);
@@ -93,7 +92,7 @@ void LevelOnDevice::cross_faces() {
                          .top = domain.max.z(),
                          .open_top = !faces.mirror[2][1] && !faces.periodic[2],
                          .to_quanta = level_.to_quanta(),
-                         .gone = level_.around_.stream ? on.gone.data() : nullptr,
+                         .gone = level_.around.stream ? on.gone.data() : nullptr,
                          .wide = on.wide.data(),
                          .left = on.left.data()},
            all);
@@ -102,7 +101,7 @@ void LevelOnDevice::cross_faces() {
 void LevelOnDevice::sort_particles() {
     Arrays& on = *on_;
     const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
-    level_.ledger_.out += static_cast<std::int64_t>(all - n);
+    level_.ledger.out += static_cast<std::int64_t>(all - n);
     on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
     launch(*device_, "tw_reorder", cuda::Reorder{on.order.order(), on.p.all(), on.sorted.all()}, n);
     on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
@@ -111,7 +110,7 @@ void LevelOnDevice::sort_particles() {
 void LevelOnDevice::find_images(double reach) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    const ImagesNear near{faces_of(level_.around_.mirrors, level_.around_.domain), reach};
+    const ImagesNear near{faces_of(level_.around.mirrors, level_.around.domain), reach};
     launch(*device_, "tw_count_images", cuda::CountImages{on.p.view(), near, on.images.of(n)}, n);
     const auto count = static_cast<std::size_t>(on.images.add_up());
     on.found.resize(count), on.links.resize(count), on.wide.resize(count);
@@ -131,13 +130,13 @@ void LevelOnDevice::find_images(double reach) {
 
 void LevelOnDevice::find_walls(const Reaches& reaches) {
     Arrays& on = *on_;
-    Walls& walls = level_.walls_;
+    Walls& walls = level_.walls;
     std::vector<cuda::DeviceSource> dummies;
     for (const Arrays::Part& part : on.parts)
         dummies.push_back(
             {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
-    on.wall_lists.build(level_.grid_, level_.grid_, on.place.data(), on.groups.column(), on.groups.groups(), dummies,
-                        reaches / level_.quanta_.size, &Group::wall_list);
+    on.wall_lists.build(level_.grid, level_.grid, on.place.data(), on.groups.column(), on.groups.groups(), dummies,
+                        reaches / level_.quanta.size, &Group::wall_list);
     const std::size_t groups = on.groups.size();
     launch(*device_, "tw_count_wall_loads",
            cuda::CountWallLoads{on.groups.groups().data(), on.wall_lists.blocks(), on.body_end.data(),
@@ -148,21 +147,21 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     on.wall_load.resize(loads);
     walls.group_loads().resize(loads);
     on.groups_at_walls.resize(at_walls);
-    cuda::ListGroupsAtWalls list{.columns = level_.grid_,
+    cuda::ListGroupsAtWalls list{.columns = level_.grid,
                                  .column = on.groups.column().data(),
                                  .first_load = on.loads.before(),
                                  .at_wall = on.at_wall.numbers(),
                                  .before = on.at_wall.before(),
                                  .origin = {},
-                                 .quantum = level_.quanta_.size,
+                                 .quantum = level_.quanta.size,
                                  .groups = on.groups.groups().data(),
                                  .list = on.groups_at_walls.data()};
-    for (int a = 0; a < 3; ++a) list.origin[a] = level_.quanta_.origin[a];
+    for (int a = 0; a < 3; ++a) list.origin[a] = level_.quanta.origin[a];
     launch(*device_, "tw_list_groups_at_walls", list, groups);
     std::vector<cuda::GroupAtWall> home(at_walls);
     on.groups_at_walls.give(home);
-    level_.groups_.clear(), centres_.clear();
-    for (const cuda::GroupAtWall& g : home) level_.groups_.push_back(g.group), centres_.emplace_back(g.x, g.y, g.z);
+    level_.near.groups.clear(), centres_.clear();
+    for (const cuda::GroupAtWall& g : home) level_.near.groups.push_back(g.group), centres_.emplace_back(g.x, g.y, g.z);
     ask_walls(at_walls);
 }
 
@@ -170,8 +169,8 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
 void LevelOnDevice::ask_walls(std::size_t groups) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
-    on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls_.move() ? n : 0);
-    on.wall_triangle.resize(level_.walls_.give_way() ? n : 0);
+    on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls.move() ? n : 0);
+    on.wall_triangle.resize(level_.walls.give_way() ? n : 0);
     launch(
         *device_, "tw_no_walls",
         cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body), or_null(on.wall_triangle)},
@@ -187,7 +186,7 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
         const cuda::NearWall& q = near[k];
         found[k].index = q.index;
         if (q.index < 0) return;
-        const Walls::Nearest nearest = level_.walls_.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
+        const Walls::Nearest nearest = level_.walls.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
         found[k].wall = nearest.normal, found[k].leaving = nearest.leaving;
         found[k].body = static_cast<std::uint16_t>(nearest.body), found[k].triangle = nearest.triangle;
     });
@@ -198,12 +197,12 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
            asked);
     std::optional<std::size_t> through;
     for (std::size_t k = 0; k < asked; ++k)
-        if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup_.dp && is_active(near[k].kind))
+        if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup.dp && is_active(near[k].kind))
             through = static_cast<std::size_t>(found[k].index);
     if (!through) return;
     home_ = order_is_home_ = false;
     bring_all_home();
-    level_.fail_through_wall(through);
+    share_.fail_through_wall(through);
 }
 
 }  // namespace tw

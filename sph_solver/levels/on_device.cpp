@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sph_solver/levels/arrays_on_device.h"
-#include "sph_solver/levels/level.h"
 
 namespace tw {
 
@@ -21,14 +20,15 @@ std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<
 
 }  // namespace
 
-LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
+LevelOnDevice::LevelOnDevice(ParticleSystem& level, const RankShare& share, std::shared_ptr<cuda::Device> device)
     : level_(level),
+      share_(share),
       device_(std::move(device)),
       loops_(device_),
-      on_(std::make_unique<Arrays>(*device_, bins_of(level.grid_, level.setup_.dp, level.quanta_.size))) {
+      on_(std::make_unique<Arrays>(*device_, bins_of(level.grid, level.setup.dp, level.quanta.size))) {
     cuda::Device& d = *device_;
-    Walls& walls = level_.walls_;
-    on_->maps.take(level_.ghosts_.maps());
+    Walls& walls = level_.walls;
+    on_->maps.take(level_.ghosts.maps());
     on_->count.resize(1);
     on_->body_end.take(walls.body_end());
     on_->wall_p.resize(walls.size());
@@ -43,7 +43,7 @@ LevelOnDevice::LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device)
 
 /// In their order and groups.
 void LevelOnDevice::take_sorted_dummies() {
-    const Walls& walls = level_.walls_;
+    const Walls& walls = level_.walls;
     for (std::size_t b = 0; b < on_->parts.size(); ++b) {
         const Walls::Part& part = walls.parts()[b];
         Arrays::Part& on = on_->parts[b];
@@ -56,7 +56,7 @@ void LevelOnDevice::take_sorted_dummies() {
 
 /// Where they are now, and how they move.
 void LevelOnDevice::take_dummies() {
-    const Walls& walls = level_.walls_;
+    const Walls& walls = level_.walls;
     if (walls.move()) {
         on_->wall_place.take(walls.places());
         on_->wall_velocity.take(std::span(walls.velocities(), walls.size()));
@@ -65,7 +65,7 @@ void LevelOnDevice::take_dummies() {
 }
 
 NearWalls LevelOnDevice::near_walls() {
-    on_->motions.take(level_.walls_.motions());
+    on_->motions.take(level_.walls.motions());
     return {.normal = or_null(on_->wall_normal),
             .motions = or_null(on_->motions),
             .body = or_null(on_->wall_body),
@@ -75,7 +75,7 @@ NearWalls LevelOnDevice::near_walls() {
 
 /// How the surfaces of bodies that give way move now; null: there are none.
 const SkinMotion* LevelOnDevice::take_skins() {
-    Walls& walls = level_.walls_;
+    Walls& walls = level_.walls;
     if (!walls.give_way() || walls.empty()) return nullptr;
     std::vector<SkinMotion> motions;
     for (std::size_t b = 0; b < on_->skins.size(); ++b) {
@@ -95,13 +95,13 @@ LevelOnDevice::~LevelOnDevice() = default;
 // --- from and to the host ---------------------------------------------------------------------------------------------
 
 void LevelOnDevice::take_state() {
-    on_->p.each_with(level_.particles_, [](auto& on, const auto& field) { on.take(field); });
+    on_->p.each_with(level_.particles, [](auto& on, const auto& field) { on.take(field); });
     host_counts_ = false;
 }
 
 void LevelOnDevice::bring_all_home() {
     if (home_ || host_counts_) return;
-    Particles& p = level_.particles_;
+    Particles& p = level_.particles;
     Arrays& on = *on_;
     on.p.each_with(p, [](const auto& field, auto& to) { field.give(to); });
     on.place.give(p.place), on.motion.give(p.velocity_density), on.stress.give(p.gradient_pressure);
@@ -109,21 +109,21 @@ void LevelOnDevice::bring_all_home() {
     on.density_rate.give(p.density_rate);
     on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving), on.wall_body.give(p.wall_body);
     on.wall_triangle.give(p.wall_triangle);
-    on.wall_p.give(level_.walls_.pressures());
+    on.wall_p.give(level_.walls.pressures());
     if (!order_is_home_) {
-        on.order.give_start(level_.start_);
+        on.order.give_start(level_.near.start);
         std::vector<Link> links(on.links.size());
         on.links.give(links);
         std::vector<std::int32_t> start;
         on.image_order.give_start(start);
-        level_.ghosts_.take(std::move(links), std::move(start));
+        level_.ghosts.take(std::move(links), std::move(start));
     }
     home_ = order_is_home_ = true;
 }
 
 void LevelOnDevice::bring_motion_home() {
     if (home_ || host_counts_) return;
-    Particles& p = level_.particles_;
+    Particles& p = level_.particles;
     const Arrays::State& on = on_->p;
     on.x.give(p.x), on.y.give(p.y), on.z.give(p.z);
     on.u.give(p.u), on.v.give(p.v), on.w.give(p.w);
@@ -145,23 +145,21 @@ KindCounts LevelOnDevice::count(CountKinds kinds) {
     return on.kinds.value(0);
 }
 
-double LevelOnDevice::bytes() const { return on_->bytes() + double(loops_.bytes()); }
+double LevelOnDevice::bytes_on_device() const { return on_->bytes() + double(loops_.bytes()); }
 
 // --- a step -------------------------------------------------------------------------------------------------------------
 
-void LevelOnDevice::refresh(double drift) {
+void LevelOnDevice::prune(double drift) {
     Arrays& on = *on_;
-    if (host_counts_) take_state();
-    update_records();
     take_dummies();
     PruneData d;
     d.lists = on.lists.view();
     d.of = d.place = on.place.data();
-    d.reach = level_.reach_among(drift) / level_.quanta_.size;
+    d.reach = level_.reach_among(drift) / level_.quanta.size;
     sweep("tw_prune", d, on.groups.groups());
     home_ = false;
-    if (level_.walls_.empty()) return;
-    d.reach = level_.reach_to_walls(drift) / level_.quanta_.size;
+    if (level_.walls.empty()) return;
+    d.reach = level_.reach_to_walls(drift) / level_.quanta.size;
     for (const Arrays::Part& part : on.parts) {
         d.lists = part.lists.view();
         d.of = on.wall_place.data() + part.first;
@@ -175,21 +173,23 @@ void LevelOnDevice::refresh(double drift) {
 
 void LevelOnDevice::update_records() {
     Arrays& on = *on_;
+    if (host_counts_) take_state();
     launch(*device_, "tw_update_records",
            UpdateRecords{on.p.view(), level_.to_quanta(), on.place.data(), on.motion.data()}, on.p.size());
-    refresh_images(level_.time_, nullptr);
+    refresh_images(level_.time, false);
 }
 
-void LevelOnDevice::refresh_images(double t, GradientPressureRecord* stress) {
+void LevelOnDevice::refresh_images(double t, bool with_stress) {
+    GradientPressureRecord* const stress = with_stress ? on_->stress.data() : nullptr;
     const auto refresh = [&](const char* kernel, const auto& force) {
         launch(*device_, kernel,
-               cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta_.size,
-                                   level_.ghosts_.still(), force, on_->place.data(), on_->motion.data(), stress},
+               cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta.size,
+                                   level_.ghosts.still(), force, on_->place.data(), on_->motion.data(), stress},
                on_->links.size());
     };
-    const Vec3 g = level_.around_.weight();
-    if (level_.around_.frame)
-        refresh("tw_refresh_images_in_frame", ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around_.force(t))});
+    const Vec3 g = level_.around.weight();
+    if (level_.around.frame)
+        refresh("tw_refresh_images_in_frame", ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around.force(t))});
     else
         refresh("tw_refresh_images", SameForce{{g.x(), g.y(), g.z()}});
 }
@@ -215,8 +215,8 @@ WallView LevelOnDevice::walls() const {
 
 StepView LevelOnDevice::step_view(double t) {
     Arrays& on = *on_;
-    if (on.sliding.size() == 0) on.sliding.take(level_.walls_.sliding());
-    StepView view = level_.step_view_here(t);
+    if (on.sliding.size() == 0) on.sliding.take(level_.walls.sliding());
+    StepView view = level_.step_view(t, share_.halo());
     view.n = on.p.size(), view.images = on.links.size();
     view.p = on.p.view(), view.kind = on.p.kind.data();
     view.aired = or_null(on.p.aired), view.shift = on.shift.data();
@@ -233,9 +233,8 @@ StepView LevelOnDevice::step_view(double t) {
     return view;
 }
 
-void LevelOnDevice::first_sweep(double t, double compress, double drift, const OtherSums* other) {
+void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     Arrays& on = *on_;
-    const std::size_t n = on.p.size(), all = on.place.size(), words = on.surface.size();
     if (host_counts_) take_state();
     FirstSweepData d = level_.first_sweep_data();
     d.water = water(), d.walls = walls();
@@ -243,11 +242,21 @@ void LevelOnDevice::first_sweep(double t, double compress, double drift, const O
     d.other = other;
     d.carried = nullptr;
     sweep("tw_first_sweep", d, on.groups.groups());
+    home_ = false;
+}
+
+void LevelOnDevice::mark_surface() {
+    Arrays& on = *on_;
     const LacksSupport lacks_support{on.p.kind.data(), or_null(on.p.trend), on.shift.data(),
-                                     level_.setup_.surface_support};
-    launch(*device_, "tw_mark_surface", cuda::MarkSurface{lacks_support, on.links.data(), n, all, on.surface.data()},
-           words);
-    level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_sweep(view); });
+                                     level_.setup.surface_support};
+    launch(*device_, "tw_mark_surface",
+           cuda::MarkSurface{lacks_support, on.links.data(), on.p.size(), on.place.size(), on.surface.data()},
+           on.surface.size());
+}
+
+void LevelOnDevice::compress(double compress, double drift) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size();
     AfterFirstSweep after = level_.after_first_sweep(compress, drift);
     after.p = on.p.view();
     after.kind = on.p.kind.data(), after.rate = on.rate.data(), after.shift = on.shift.data();
@@ -257,20 +266,18 @@ void LevelOnDevice::first_sweep(double t, double compress, double drift, const O
     after.trend = or_null(on.p.trend), after.compression = or_null(on.p.compression);
     after.density_rate = or_null(on.density_rate);
     on.density_rate.set_zero();
-    const StateEquation& state_equation = level_.setup_.state_equation;
+    const StateEquation& state_equation = level_.setup.state_equation;
     const double c0 = state_equation.c0;
     if (state_equation.form == StateEquation::Form::linear)
         launch(*device_, "tw_compress",
                cuda::Compress{after, near_walls(), cuda::LinearPressure{static_cast<float>(c0 * c0)}}, n);
     else
         launch(*device_, "tw_compress_by_state",
-               cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup_.rho0}}, n);
-    level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.change_pressure(view); });
-    refresh_images(t, on.stress.data());
+               cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup.rho0}}, n);
     home_ = false;
 }
 
-void LevelOnDevice::second_sweep(double t) {
+void LevelOnDevice::press_walls() {
     Arrays& on = *on_;
     take_dummies();
     for (const Arrays::Part& part : on.parts) {
@@ -282,23 +289,27 @@ void LevelOnDevice::second_sweep(double t) {
         if (on.wall_acceleration.size() > 0) e.acceleration = on.wall_acceleration.data() + part.first;
         sweep("tw_extrapolate", e, part.groups);
     }
+}
+
+void LevelOnDevice::second_pair_loop(double t) {
+    Arrays& on = *on_;
     SecondSweepData d = level_.second_sweep_data(t);
     d.water = water(), d.walls = walls();
     d.leaving = or_null(on.wall_leaving);
     d.shift = on.shift.data(), d.rate = on.rate.data(), d.wall_load = on.wall_load.data();
     sweep("tw_second_sweep", d, on.groups.groups());
-    level_.each_effect(t, [](Effect& effect, const StepView& view) { effect.add_rates(view); });
-    on.wall_load.give(level_.walls_.group_loads());
     home_ = false;
 }
 
-LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
+void LevelOnDevice::bring_loads_home() { on_->wall_load.give(level_.walls.group_loads()); }
+
+std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     Arrays& on = *on_;
     std::size_t n = on.p.size();
     cuda::MoveAll task{.move = of_host,
                        .wall = or_null(on.wall_normal),
                        .walls = near_walls(),
-                       .held_from = Level::held_at_wall_over_dp * level_.setup_.dp,
+                       .held_from = Move::held_at_wall_over_dp * level_.setup.dp,
                        .too_near = on.too_near.data(),
                        .count = on.count.data()};
     task.move.p = on.p.view();
@@ -313,16 +324,21 @@ LevelOnDevice::Moved LevelOnDevice::move(const Move& of_host) {
     Moved moved;
     std::vector<MovedExtremes> parts(on.extremes.size());
     on.extremes.give(parts);
-    for (const MovedExtremes& part : parts) cuda::join(moved.extremes, part);
+    for (const MovedExtremes& part : parts) cuda::join(moved, part);
     int held = 0;
     on.count.give(std::span(&held, 1));
-    if (held == 0) return moved;
-    std::vector<std::int32_t> which(static_cast<std::size_t>(held));
-    on.too_near.give(which);
-    std::ranges::sort(which);
-    moved.at_walls.assign(which.begin(), which.end());
-    fetch(std::move(which));
-    return moved;
+    if (held == 0) return {moved};
+    std::vector<std::int32_t> at_walls(static_cast<std::size_t>(held));
+    on.too_near.give(at_walls);
+    std::ranges::sort(at_walls);
+    fetch(at_walls);
+    for (const std::int32_t k : at_walls) {
+        const auto i = static_cast<std::size_t>(k);
+        hold(i, moved);
+        of_host.note(i, moved);
+    }
+    put_back(at_walls);
+    return {moved};
 }
 
 void LevelOnDevice::bring_home(const std::vector<std::size_t>& particles) {
@@ -358,7 +374,7 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
         which.size());
     std::vector<cuda::HeldParticle> held(which.size());
     on.held.give(held);
-    Particles& p = level_.particles_;
+    Particles& p = level_.particles;
     for (const cuda::HeldParticle& h : held) {
         const auto i = static_cast<std::size_t>(h.index);
         p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
@@ -370,15 +386,15 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
     }
 }
 
-void LevelOnDevice::put_back(const std::vector<std::size_t>& held_at_home) {
-    if (held_at_home.empty()) return;
-    const Particles& p = level_.particles_;
+void LevelOnDevice::put_back(const std::vector<std::int32_t>& held_at_home) {
+    const Particles& p = level_.particles;
     std::vector<cuda::HeldParticle> held;
-    for (const std::size_t i : held_at_home)
-        held.push_back({static_cast<std::int64_t>(i), p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i],
-                        p.drho[i], p.wall_normal[i], p.wall_leaving[i], p.kind[i],
-                        p.wall_body.empty() ? std::uint16_t{0} : p.wall_body[i],
+    for (const std::int32_t k : held_at_home) {
+        const auto i = static_cast<std::size_t>(k);
+        held.push_back({k, p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i], p.wall_normal[i],
+                        p.wall_leaving[i], p.kind[i], p.wall_body.empty() ? std::uint16_t{0} : p.wall_body[i],
                         p.wall_triangle.empty() ? -1 : p.wall_triangle[i]});
+    }
     on_->held.take(held);
     launch(*device_, "tw_put_held",
            cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data(),
@@ -388,7 +404,7 @@ void LevelOnDevice::put_back(const std::vector<std::size_t>& held_at_home) {
 
 // --- points -------------------------------------------------------------------------------------------------------------
 
-void LevelOnDevice::sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) {
+void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     cuda::Device& d = *device_;
     const std::size_t n = points.places.size();
     cuda::Array<PlaceRecord> places(d);
@@ -399,7 +415,8 @@ void LevelOnDevice::sample(const Points& points, const Reaches& quanta, const Ex
     places.take(points.places), groups.take(points.groups);
     column.take(columns_of(points.groups, points.start));
     p.resize(n), support.resize(n);
-    lists.build(level_.grid_, level_.grid_, places.data(), column, groups, sources(), quanta);
+    lists.build(level_.grid, level_.grid, places.data(), column, groups, sources(),
+                level_.reaches_of_points(level_.kernel) / level_.quanta.size);
     ExtrapolateData e = to;
     e.water = water();
     e.list = lists.view();

@@ -4,42 +4,53 @@
 #include "sph_solver/cuda/driver.h"
 #include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/search.h"
-#include "sph_solver/levels/device_steps.h"
 #include "sph_solver/levels/loops_on_device.h"
+#include "sph_solver/levels/rank_share.h"
+#include "sph_solver/levels/step_maker.h"
 #include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
 
-class Level;
-
 /// A level whose steps are made by a graphics processor. In a step the host gets the loads of the groups at walls, the
 /// forces on the dummies of bodies that give way, the extremes, and the few particles that a wall has to hold; when lists
 /// are made, the places of those near walls, of which it finds the nearest; and at the edge of a zone who is to have
 /// children. It sends where the dummies are, and how bodies and the skins of those that give way move.
-class LevelOnDevice : public DeviceSteps {
+class LevelOnDevice : public StepMaker {
 public:
-    /// `level` must outlive this; its lists are made afterwards.
-    LevelOnDevice(Level& level, std::shared_ptr<cuda::Device> device);
+    /// Both must outlive this; lists are made afterwards.
+    LevelOnDevice(ParticleSystem& level, const RankShare& share, std::shared_ptr<cuda::Device> device);
     ~LevelOnDevice() override;
 
     void bring_all_home() override;
     void bring_motion_home() override;
     void bring_home(const std::vector<std::size_t>& particles) override;
-    std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
     void note_changed_state() override { host_counts_ = true; }
+    KindCounts count(CountKinds kinds) override;
+    double bytes_on_device() const override;
+
     void make_lists(double drift) override;
-    void refresh(double drift) override;
-    Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
+    void update_records() override;
+    void prune(double drift) override;
     std::int64_t live_pairs() const override;
-    Neighbours find_neighbours(DeviceSteps& other, const Reaches& reaches) override;
-    void first_sweep(double t, double compress, double drift, const OtherSums* other) override;
-    void second_sweep(double t) override;
-    void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
+    Near find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) override;
+
     StepView step_view(double t) override;
-    Moved move(const Move& of_host) override;
-    void put_back(const std::vector<std::size_t>& held) override;
-    void sample(const Points& points, const Reaches& quanta, const ExtrapolateData& to) override;
+    void first_pair_loop(const OtherSums* other) override;
+    void mark_surface() override;
+    void compress(double compress, double drift) override;
+    void refresh_images(double t) override { refresh_images(t, true); }
+    void press_walls() override;
+    void second_pair_loop(double t) override;
+    void bring_loads_home() override;
+
+    Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
+    std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
+    void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
+    std::vector<Moved> move(const Move& of_host, const Hold& hold) override;
+
+    void sample(SortedPlaces& points, const ExtrapolateData& to) override;
+
     void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) override;
     Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
                 const Asking& asking) override;
@@ -52,8 +63,6 @@ public:
     void interpolate(FieldsAt& at) override;
     Followed follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) override;
     Followed follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) override;
-    KindCounts count(CountKinds kinds) override;
-    double bytes() const override;
 
 private:
     struct Arrays;
@@ -67,14 +76,14 @@ private:
     NearWalls near_walls();
     const SkinMotion* take_skins();
     std::vector<cuda::DeviceSource> sources() const;
-    void update_records();
     void cross_faces();
     void sort_particles();
     void find_images(double reach);
     void find_walls(const Reaches& reaches);
     void ask_walls(std::size_t groups);
-    void refresh_images(double t, GradientPressureRecord* stress);
+    void refresh_images(double t, bool with_stress);
     void fetch(std::vector<std::int32_t> particles);
+    void put_back(const std::vector<std::int32_t>& held);  ///< after the host has held them
     /// Fields at places in this level's quanta.
     cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);
     std::vector<cuda::DeviceSource> note_giving(const Asking& asking);
@@ -89,7 +98,8 @@ private:
     std::int64_t hand(const char* kernel, const Task& task, std::size_t n);
     double fastest2_of_following();
 
-    Level& level_;
+    ParticleSystem& level_;
+    const RankShare& share_;
     std::shared_ptr<cuda::Device> device_;
     LoopsOnDevice loops_;
     std::unique_ptr<Arrays> on_;

@@ -28,6 +28,7 @@ struct Move {
     /// zone loses particles, and water whose kernel sums are a hundredth too small takes a hundredth more of pressure
     /// gradient to carry itself, so it sinks (docs/decisions/050).
     static constexpr double guard_shifted_from = 0.98;
+    static constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 
     StateView p;
     const Kind* kind;

@@ -17,15 +17,7 @@ void LevelPair::find_neighbours() {
         Level& level = *own.level;
         const double reach = level.kernel().support() + ListLife::wall_skin_over_dp * level.setup().dp;
         const Reaches reaches{reach, reach, reach};
-        if (DeviceSteps* const device = level.device()) {
-            own.near = device->find_neighbours(*other.level->device(), reaches);
-        } else {
-            own.groups = level.groups();
-            own.lists.build(level.passes(), level.quanta(), level.sources().front(), own.groups, other.level->sources(),
-                            reaches);
-            std::erase_if(own.groups, [](const Group& g) { return g.list.size == 0; });
-            own.near = {own.lists.view(), own.groups};
-        }
+        own.near = level.maker().find_neighbours(other.level->maker(), reaches, own.room);
         const StepView step = level.step_view(level.time());
         own.sums.zeros(step.device, step.n);
     };
@@ -70,7 +62,7 @@ const OtherSums* LevelPair::sums_for(const Level& level) const {
 
 std::size_t LevelPair::bytes() const {
     const auto of = [](const Side& s) {
-        return s.lists.bytes() + s.groups.capacity() * sizeof(Group) + s.sums.bytes();
+        return s.room.lists.bytes() + s.room.groups.capacity() * sizeof(Group) + s.sums.bytes();
     };
     return of(a_) + of(b_);
 }

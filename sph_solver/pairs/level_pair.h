@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sph_solver/levels/device_steps.h"
+#include "sph_solver/levels/step_maker.h"
 #include "sph_solver/neighbours/columns.h"
 
 namespace tw {
@@ -44,9 +44,8 @@ public:
 private:
     struct Side {
         Level* level;
-        DeviceSteps::Neighbours near;  ///< those of the level's groups that have the other one within reach
-        std::vector<Group> groups;     ///< what this processor holds of them
-        NeighbourLists lists;
+        StepMaker::Near near;  ///< those of the level's groups that have the other one within reach
+        StepMaker::RoomForLists room;
         LoopArray<OtherSums> sums;
         explicit Side(Level& of) : level(&of) {}
     };

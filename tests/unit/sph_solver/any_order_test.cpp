@@ -14,7 +14,6 @@
 #include "sph_solver/measure/tank_balance.h"
 #include "sph_solver/measure/water_energy.h"
 #include "sph_solver/simulation.h"
-#include "tests/unit/sph_solver/level_insides.h"
 
 namespace tw {
 namespace any_order_test {
@@ -61,7 +60,7 @@ TEST(AnyOrder, OfEnergyAndOfMomentumInAVolume) {
     const SimulationSetup s = tank_with_a_box();
     Simulation simulation(s, water_of(s));
     const ControlVolume volume({Vec3(0.22, 0, 0), Vec3(1.4, 0.61, 0.43)}, dp, {});
-    Particles& p = LevelInsides::particles(simulation.level(0));
+    Particles& p = simulation.level(0).system().particles;
     stir(p);
     const auto measure = [&] {
         const WaterEnergy e = water_energy(simulation);
@@ -94,7 +93,7 @@ TEST(AnyOrder, OfWhatATankThatMovesDoes) {
     s.effects.push_back(MovingTank{});
     const auto row_of = [&](bool reordered) {
         Simulation simulation(s, water_of(s));
-        Particles& p = LevelInsides::particles(simulation.level(0));
+        Particles& p = simulation.level(0).system().particles;
         stir(p);
         const auto reorder = [&] {
             if (reordered) p.reorder(shuffled(p.size()));
@@ -166,7 +165,7 @@ std::vector<double> advanced(bool reordered) {
     level.first_sweep(0, 0, 0, nullptr);
     level.second_sweep(0);
     level.gather_loads(Vec3::Zero());
-    Particles& p = LevelInsides::particles(level);
+    Particles& p = level.system().particles;
     stir(p, 6);  // onto the box, so fast that nothing but the last resort keeps them out
     if (reordered) {
         std::vector<std::int32_t> order = shuffled(p.size());
@@ -215,7 +214,7 @@ TEST(AnyOrder, AtTheStartAndAnyNumberOfThreadsFloatABodyAlike) {
         for (int k = 0; k < 40; ++k) {
             if (k == 20) simulation.mark_restart_point();
             if (k == 20 && reordered)
-                LevelInsides::particles(simulation.level(0)).reorder(shuffled(simulation.particles().size()));
+                simulation.level(0).system().particles.reorder(shuffled(simulation.particles().size()));
             simulation.step();
             const Load load = simulation.load();
             for (const Vec3& v : {load.force, load.moment, rigid_of(simulation.body(0)).state().centre})

@@ -11,7 +11,6 @@
 #include "record/certificate.h"
 #include "sph_solver/measure/certificate.h"
 #include "sph_solver/run_sph.h"
-#include "tests/unit/sph_solver/level_insides.h"
 
 namespace tw {
 namespace level_ledger_test {
@@ -61,7 +60,7 @@ TEST(LevelLedger, MassThatAZoneLosesIsTold) {
     Simulation simulation = stream_through_a_zone();
     EXPECT_EQ(level_ledgers(simulation)[1].mass_drift, 0);
     int taken = 0;
-    for (Kind& kind : LevelInsides::particles(simulation.level(1)).kind)
+    for (Kind& kind : simulation.level(1).system().particles.kind)
         if (kind == Kind::fluid && taken < 8) kind = Kind::guard, ++taken;
     EXPECT_NEAR(level_ledgers(simulation)[1].mass_drift, -1.0 / 200, 1e-12);
     RunRecord record;

@@ -10,7 +10,6 @@
 #include "meshes/generate.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
-#include "tests/unit/sph_solver/level_insides.h"
 #include "three_levels.h"
 
 namespace tw {
@@ -77,7 +76,7 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
 // A zone that the water is just coming to holds guards alone.
 TEST(Interpolation, FromNothingThatCountsIsNothing) {
     Simulation simulation = linear_water(2, true);
-    for (Kind& kind : LevelInsides::particles(simulation.level(0)).kind) kind = Kind::guard;
+    for (Kind& kind : simulation.level(0).system().particles.kind) kind = Kind::guard;
     FieldsAt at;
     at.places = {Vec3(0.8, 0, 0.4), Vec3(0.33, 0, 0.4)};
     at.want_compression = true;
@@ -173,7 +172,7 @@ TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
 // neighbour of its own. It ends there, as spray over the next size does, and does not fall through to the floor.
 TEST(Levels, FineSprayEndsInWaterOfAnyCoarserSize) {
     Simulation simulation = make(1);
-    Particles& p = LevelInsides::particles(simulation.finest());
+    Particles& p = simulation.finest().system().particles;
     const std::int64_t id = p.id[0];
     const auto drop = [&] { return std::ranges::find(p.id, id); };
     p.kind[0] = Kind::fluid;

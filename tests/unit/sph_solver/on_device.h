@@ -43,8 +43,10 @@ inline const Passes& emulated() { return passes("device_emulated"); }
 /// All its levels; the device they share.
 inline std::shared_ptr<cuda::Device> put_on_device(Simulation& s) {
     const auto device = cuda::Device::open();
-    for (std::size_t k = 0; k < s.levels().size(); ++k)
-        s.level(k).leave_steps_to(std::make_unique<LevelOnDevice>(s.level(k), device));
+    for (std::size_t k = 0; k < s.levels().size(); ++k) {
+        Level& level = s.level(k);
+        level.leave_steps_to(std::make_unique<LevelOnDevice>(level.system(), level.share(), device));
+    }
     return device;
 }
 

@@ -1,9 +1,8 @@
-#include "sph_solver/levels/edges_at_home.h"
-
+// What a level on a processor gives to levels of other sizes, and how its particles follow theirs.
 #include <algorithm>
 
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/levels/level.h"
+#include "sph_solver/levels/on_processor.h"
 
 namespace tw {
 
@@ -16,15 +15,6 @@ std::vector<Located> those_located(const Particles& p, const auto& of) {
     std::vector<Located> found;
     for (std::size_t i = 0; i < p.size(); ++i)
         if (of(i)) found.push_back(located(p, i));
-    return found;
-}
-
-/// The particles of some kinds that this process owns.
-std::vector<std::size_t> those_of_kind(const Level& level, const auto& of) {
-    const Particles& p = level.particles();
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        if (of(p.kind[i]) && level.owns(i)) found.push_back(i);
     return found;
 }
 
@@ -47,25 +37,8 @@ std::int64_t orphans_of(const FieldsAt& at) {
 
 // --- who is what ------------------------------------------------------------------------------------------------------
 
-void Level::begin_over(const Zone& finer, double with_children) {
-    particles_.bring(With::finer);
-    for (std::size_t i = 0; i < particles_.size(); ++i)
-        if (finer.outside(place_at(particles_, i)) < with_children) particles_.children[i] = Children::all;
-}
-
-void Level::begin_within(const Zone& own) {
-    particles_.bring(With::coarser);
-    for (std::size_t i = 0; i < particles_.size(); ++i)
-        if (own.outside(place_at(particles_, i)) >= 0) particles_.kind[i] = Kind::guard;
-}
-
-EdgeSteps& Level::edges() {
-    if (device_) return *device_;
-    return at_home_;
-}
-
-void EdgesAtHome::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
-    Particles& p = level_.particles_;
+void LevelOnProcessor::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
+    Particles& p = level_.particles;
     outside_.resize(p.size());
     label.kind = p.kind.data(), label.children = p.children.data();
     for_particles(p.size(), [&](std::size_t i) {
@@ -74,9 +47,9 @@ void EdgesAtHome::label(const AskEdge& ask, LabelCoarse label, const Zone& zone)
     });
 }
 
-EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
-                                    const Asking& asking) {
-    Particles& p = level_.particles_;
+EdgeSteps::Spray LevelOnProcessor::label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
+                                         const Asking& asking) {
+    Particles& p = level_.particles;
     std::vector<int> leaves(p.size());
     gone_.resize(p.size());
     label.kind = p.kind.data(), label.leaves = leaves.data(), label.gone = gone_.data();
@@ -88,7 +61,7 @@ EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Z
     FieldsAt leaving{asking};
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (leaves[i] && level_.owns(i)) leaving.places.push_back(place_at(p, i)), who.push_back(i);
+        if (leaves[i] && share_.owns(i)) leaving.places.push_back(place_at(p, i)), who.push_back(i);
     coarser.interpolate(leaving);
     const BecomeGuard become{p.kind.data()};
     Spray spray;
@@ -102,67 +75,74 @@ EdgeSteps::Spray EdgesAtHome::label(const AskEdge& ask, LabelFine label, const Z
         ++spray.count;
         if (far) spray.far.push_back(located(p, i));
     }
-    level_.halo_.tell(p.kind.data());
+    share_.halo().tell(p.kind.data());
     return spray;
 }
 
-std::vector<Located> EdgesAtHome::between(double from, double to) {
-    return those_located(level_.particles_,
-                         [&](std::size_t i) { return level_.owns(i) && outside_[i] > from && outside_[i] < to; });
+std::vector<Located> LevelOnProcessor::between(double from, double to) {
+    return those_located(level_.particles,
+                         [&](std::size_t i) { return share_.owns(i) && outside_[i] > from && outside_[i] < to; });
 }
 
-std::vector<Located> EdgesAtHome::guards() {
-    const Particles& p = level_.particles_;
-    return those_located(p, [&](std::size_t i) { return level_.owns(i) && p.kind[i] == Kind::guard; });
+std::vector<Located> LevelOnProcessor::guards() {
+    const Particles& p = level_.particles;
+    return those_located(p, [&](std::size_t i) { return share_.owns(i) && p.kind[i] == Kind::guard; });
 }
 
-void EdgesAtHome::forget_edge(With whose) {
-    Particles& p = level_.particles_;
+void LevelOnProcessor::forget_edge(With whose) {
+    Particles& p = level_.particles;
     std::ranges::fill(whose == With::coarser ? p.from_edge : p.from_finer_edge, EdgeDistance{});
 }
 
 // --- who comes and goes -----------------------------------------------------------------------------------------------
 
-std::vector<Parent> EdgesAtHome::find_parents(double within) {
-    Particles& p = level_.particles_;
+std::vector<Parent> LevelOnProcessor::find_parents(double within) {
+    Particles& p = level_.particles;
     std::vector<Parent> parents;
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (!Parent::is(p.kind[i], p.children[i], outside_[i], within)) continue;
         const Located at = located(p, i);
-        if (level_.owns(i)) parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.children[i]});
+        if (share_.owns(i)) parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.children[i]});
         p.children[i] = Children::all;
     }
     return parents;
 }
 
-void EdgesAtHome::add(const std::vector<Child>& children) {
-    Particles& p = level_.particles_;
-    if (level_.ranks().many()) level_.let_go({});
+void LevelOnProcessor::add(const std::vector<Child>& children) {
+    Particles& p = level_.particles;
+    if (share_.ranks().many()) share_.let_go({});
     for (const Child& c : children) {
         p.add(c.place.x, c.place.y, c.place.z, c.state.u, c.state.drho, c.id, c.kind);
         p.v.back() = c.state.v, p.w.back() = c.state.w;
     }
-    if (level_.ranks().many()) level_.own_.resize(p.size(), 1);
+    share_.own_added();
 }
 
-std::int64_t EdgesAtHome::remove_gone(const std::vector<std::size_t>& more) {
+std::int64_t LevelOnProcessor::remove_gone(const std::vector<std::size_t>& more) {
     for (const std::size_t i : more) gone_[i] = 1;
     std::int64_t deaths = 0;
-    for (std::size_t i = 0; i < gone_.size(); ++i) deaths += gone_[i] && level_.owns(i);
-    deaths = level_.ranks().sum(deaths);
-    if (deaths > 0) level_.let_go(gone_);
-    gone_.assign(level_.particles_.size(), 0);
+    for (std::size_t i = 0; i < gone_.size(); ++i) deaths += gone_[i] && share_.owns(i);
+    deaths = share_.ranks().sum(deaths);
+    if (deaths > 0) share_.let_go(gone_);
+    gone_.assign(level_.particles.size(), 0);
     return deaths;
 }
 
 // --- who follows ------------------------------------------------------------------------------------------------------
 
-void EdgesAtHome::interpolate(FieldsAt& at) { level_.interpolate(at); }
+/// The particles of some kinds that this process owns.
+std::vector<std::size_t> LevelOnProcessor::own_of_kind(bool (*of)(Kind)) const {
+    const Particles& p = level_.particles;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (of(p.kind[i]) && share_.owns(i)) found.push_back(i);
+    return found;
+}
 
-Followed EdgesAtHome::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
-    Particles& p = level_.particles_;
+Followed LevelOnProcessor::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
+    Particles& p = level_.particles;
     follow.p = level_.state_view(), follow.trend = p.trend.data();
-    const std::vector<std::size_t> who = those_of_kind(level_, [](Kind kind) { return kind == Kind::guard; });
+    const std::vector<std::size_t> who = own_of_kind([](Kind kind) { return kind == Kind::guard; });
     FieldsAt guards{asking};
     guards.places.resize(who.size());
     Followed followed;
@@ -173,23 +153,23 @@ Followed EdgesAtHome::follow_coarser(EdgeSteps& coarser, const Asking& asking, F
     });
     coarser.interpolate(guards);
     for_particles(who.size(), [&](std::size_t k) { follow(who[k], guards.given(k)); });
-    level_.halo_.tell(p.trend.data(), p.drho.data());
+    share_.halo().tell(p.trend.data(), p.drho.data());
     followed.orphans = orphans_of(guards);
-    return level_.ranks().sum(followed);
+    return share_.ranks().sum(followed);
 }
 
-Followed EdgesAtHome::follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) {
-    Particles& p = level_.particles_;
+Followed LevelOnProcessor::follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) {
+    Particles& p = level_.particles;
     follow.p = level_.state_view(), follow.kind = p.kind.data();
     follow.shift = p.shift_support.data(), follow.compression = p.compression.data();
-    const std::vector<std::size_t> who = those_of_kind(level_, stands_for_finer);
+    const std::vector<std::size_t> who = own_of_kind(stands_for_finer);
     FieldsAt under{asking};
     under.places.resize(who.size());
     for_particles(who.size(), [&](std::size_t k) { under.places[k] = place_at(p, who[k]); });
     finer.interpolate(under);
     for_particles(who.size(), [&](std::size_t k) { follow(who[k], under.given(k)); });
-    level_.halo_.tell(p.u.data(), p.v.data(), p.w.data(), p.drho.data(), p.compression.data());
-    return level_.ranks().sum(Followed{0, orphans_of(under)});
+    share_.halo().tell(p.u.data(), p.v.data(), p.w.data(), p.drho.data(), p.compression.data());
+    return share_.ranks().sum(Followed{0, orphans_of(under)});
 }
 
 }  // namespace tw

@@ -12,7 +12,7 @@
 
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
-#include "sph_solver/levels/level.h"
+#include "sph_solver/levels/rank_share.h"
 
 namespace tw {
 
@@ -28,81 +28,81 @@ void append(Comm::Bytes& to, const T& what) {
 }
 }  // namespace
 
-const Comm& Level::ranks() const { return around_.ranks ? *around_.ranks : Comm::alone(); }
-
-std::int32_t Level::column_of(std::size_t i) const {
-    if (device_) return 0;  // it is asked for where ranks differ, and there are none
-    const auto after = std::upper_bound(start_.begin(), start_.end(), static_cast<std::int32_t>(i));
-    return static_cast<std::int32_t>(after - start_.begin()) - 1;
+std::int32_t RankShare::column_of(std::size_t i) const {
+    if (!ranks().many()) return 0;  // it is asked for where ranks differ
+    const auto after =
+        std::upper_bound(level_.near.start.begin(), level_.near.start.end(), static_cast<std::int32_t>(i));
+    return static_cast<std::int32_t>(after - level_.near.start.begin()) - 1;
 }
 
-std::function<bool(int)> Level::own_columns() const {
+std::function<bool(int)> RankShare::own_columns() const {
     if (!ranks().many()) return {};
     return [this](int column) { return columns_.owner(column) == ranks().rank(); };
 }
 
 /// Every rank has made or read all particles; the first one answers for them.
-void Level::begin_whole() {
+void RankShare::begin_whole() {
     if (!ranks().many()) return;
     whole_ = true;
-    own_.assign(particles_.size(), ranks().first() ? 1 : 0);
-    total_ = static_cast<std::int64_t>(particles_.size());
+    own_.assign(level_.particles.size(), ranks().first() ? 1 : 0);
+    total_ = static_cast<std::int64_t>(level_.particles.size());
     halo_ = {};
 }
 
-void Level::refuse_idle(int count) const {
+void RankShare::refuse_idle(int count) const {
     if (count <= 1) return;
-    std::vector<char> busy(static_cast<std::size_t>(grid_.count()), 0);
-    for (std::size_t i = 0; i < particles_.size(); ++i)
-        busy[static_cast<std::size_t>(grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))] = 1;
+    std::vector<char> busy(static_cast<std::size_t>(level_.grid.count()), 0);
+    for (std::size_t i = 0; i < level_.particles.size(); ++i)
+        busy[static_cast<std::size_t>(level_.grid.of(
+            level_.quanta.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))] = 1;
     const std::int64_t columns = std::ranges::count(busy, 1);
     if (columns < count)
         throw InputError(fmt::format("the {} stands in {} columns of particles, and there are {} ranks: take fewer",
-                                     setup_.material, columns, count));
+                                     level_.setup.material, columns, count));
 }
 
 /// What is left keeps its order, and its columns; what has been added behind them is in none.
-void Level::let_go(const std::vector<int>& gone) {
+void RankShare::let_go(const std::vector<int>& gone) {
     if (whole_) return;
-    const std::size_t n = particles_.size();
+    const std::size_t n = level_.particles.size();
     std::vector<std::int32_t> kept, before(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
         before[i] = static_cast<std::int32_t>(kept.size());
         if (owns(i) && (gone.empty() || !gone[i])) kept.push_back(static_cast<std::int32_t>(i));
     }
     before[n] = static_cast<std::int32_t>(kept.size());
-    particles_.reorder(kept);
+    level_.particles.reorder(kept);
     if (!ranks().many()) return;
-    for (std::int32_t& first : start_) first = before[static_cast<std::size_t>(first)];
+    for (std::int32_t& first : level_.near.start) first = before[static_cast<std::size_t>(first)];
     own_.assign(kept.size(), 1);
     halo_ = {};
 }
 
 /// The first rank has all, until the others get theirs with the first lists.
-void Level::share_out() {
+void RankShare::share_out() {
     if (!whole_) return;
     divide_columns();
     whole_ = false;
-    const std::size_t n = ranks().first() ? particles_.size() : 0;
-    particles_.resize(n);
+    const std::size_t n = ranks().first() ? level_.particles.size() : 0;
+    level_.particles.resize(n);
     own_.assign(n, 1);
-    start_.assign(static_cast<std::size_t>(grid_.count()) + 1, static_cast<std::int32_t>(n));
-    start_.front() = 0;
+    level_.near.start.assign(static_cast<std::size_t>(level_.grid.count()) + 1, static_cast<std::int32_t>(n));
+    level_.near.start.front() = 0;
 }
 
-std::int64_t Level::among_all(std::size_t i) const {
+std::int64_t RankShare::among_all(std::size_t i) const {
     const auto index = static_cast<std::int64_t>(i);
     return ranks().many() ? std::int64_t{column_of(i)} << 32 | index : index;
 }
 
-std::optional<std::size_t> Level::owned(std::int64_t index) const {
+std::optional<std::size_t> RankShare::owned(std::int64_t index) const {
     if (!ranks().many()) return static_cast<std::size_t>(index);
     const auto i = static_cast<std::size_t>(index & 0xffffffff);
-    if (i < particles_.size() && owns(i) && among_all(i) == index) return i;
+    if (i < level_.particles.size() && owns(i) && among_all(i) == index) return i;
     return {};
 }
 
-std::vector<Located> Level::of_all_ranks(std::vector<Located> own) const {
+std::vector<Located> RankShare::of_all_ranks(std::vector<Located> own) const {
     if (!ranks().many()) return own;
     for (Located& one : own) one.index = among_all(static_cast<std::size_t>(one.index));
     std::vector<Located> all = ranks().gathered(own);
@@ -110,7 +110,7 @@ std::vector<Located> Level::of_all_ranks(std::vector<Located> own) const {
     return all;
 }
 
-Level::Numbers Level::number_by_column(const std::vector<std::int32_t>& by) const {
+RankShare::Numbers RankShare::number_by_column(const std::vector<std::int32_t>& by) const {
     Numbers numbers{{}, static_cast<std::int64_t>(by.size())};
     numbers.own.resize(by.size());
     std::iota(numbers.own.begin(), numbers.own.end(), 0);
@@ -128,34 +128,36 @@ Level::Numbers Level::number_by_column(const std::vector<std::int32_t>& by) cons
 
 /// What has crossed open boundaries of all ranks' columns; particles that entered get the ids that they have where one
 /// process counts them, column by column.
-void Level::agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered) {
+void RankShare::agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered) {
     if (whole_) return;
-    ledger_.out = before.out + ranks().sum(ledger_.out - before.out);
-    if (!around_.stream) return;
+    level_.ledger.out = before.out + ranks().sum(level_.ledger.out - before.out);
+    if (!level_.around.stream) return;
     const Numbers numbers = number_by_column(entered);
-    const std::size_t first_new = particles_.size() - entered.size();
-    for (std::size_t k = 0; k < entered.size(); ++k) particles_.id[first_new + k] = before.next_id + numbers.own[k];
-    ledger_.in = before.in + numbers.all, ledger_.next_id = before.next_id + numbers.all;
+    const std::size_t first_new = level_.particles.size() - entered.size();
+    for (std::size_t k = 0; k < entered.size(); ++k)
+        level_.particles.id[first_new + k] = before.next_id + numbers.own[k];
+    level_.ledger.in = before.in + numbers.all, level_.ledger.next_id = before.next_id + numbers.all;
 }
 
 /// Adds the work of this rank's particles to that of their columns: pairs by the lists as they are, or particles where
 /// none were made yet, of which the first rank counts all.
-void Level::add_work(std::vector<std::int64_t>& of_columns) const {
+void RankShare::add_work(std::vector<std::int64_t>& of_columns) const {
     if (!whole_)
-        for (std::size_t k = 0; k < groups_.size(); ++k)
-            of_columns[static_cast<std::size_t>(group_columns_[k])] += groups_[k].size * (1 + live_pairs(groups_[k]));
-    for (std::size_t i = 0; i < particles_.size() && whole_ && ranks().first(); ++i)
+        for (std::size_t k = 0; k < level_.near.groups.size(); ++k)
+            of_columns[static_cast<std::size_t>(group_columns_[k])] +=
+                level_.near.groups[k].size * (1 + level_.live_pairs(level_.near.groups[k]));
+    for (std::size_t i = 0; i < level_.particles.size() && whole_ && ranks().first(); ++i)
         ++of_columns[static_cast<std::size_t>(
-            grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]})))];
+            level_.grid.of(level_.quanta.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))];
 }
 
 /// Divides the columns where their work, and that of a level which follows, has become uneven.
-void Level::divide_columns() {
+void RankShare::divide_columns() {
     if (columns_of_) {
         columns_ = columns_of_->columns_;
         return;
     }
-    std::vector<std::int64_t> of_columns(static_cast<std::size_t>(grid_.count()), 0);
+    std::vector<std::int64_t> of_columns(static_cast<std::size_t>(level_.grid.count()), 0);
     add_work(of_columns);
     if (following_) following_->add_work(of_columns);
     struct Load {
@@ -168,28 +170,32 @@ void Level::divide_columns() {
         });
     if (double(load.largest) * ranks().size() <= largest_imbalance * double(load.sum)) return;
     ranks().add(std::span<std::int64_t>(of_columns));
-    columns_ = Decomposition(grid_, blocks(), of_columns, ranks().size());
+    columns_ = Decomposition(level_.grid, blocks(), of_columns, ranks().size());
 }
 
 /// What is left together when columns are divided. A coarser level's places are sorted by columns twice as wide.
-ColumnGrid Level::blocks() const { return particles_.has(With::coarser) ? grid_.scaled(2) : grid_; }
+ColumnGrid RankShare::blocks() const {
+    return level_.particles.has(With::coarser) ? level_.grid.scaled(2) : level_.grid;
+}
 
 /// Sends particles to the ranks that own their columns, and copies to those that need them; then the level has those of
 /// the columns that it holds, in no order. `staying`: which of the present ones stay in the run.
-void Level::hold_columns(const std::vector<std::int32_t>& staying, double reach) {
+void RankShare::hold_columns(const std::vector<std::int32_t>& staying, double reach) {
     const std::size_t n = staying.size();
     std::vector<std::int32_t> column(n);
     for_particles(n, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(staying[k]);
-        column[k] = grid_.of(quanta_.wide({particles_.x[i], particles_.y[i], particles_.z[i]}));
+        column[k] =
+            level_.grid.of(level_.quanta.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]}));
     });
     // those that see points between particles have moved since, see SortedPlaces::stale
-    columns_.find_holders(grid_, around_.mirrors, quanta_.wide(around_.domain.min), quanta_.wide(around_.domain.max),
-                          static_cast<std::int64_t>((reach + 0.1 * setup_.dp) * quanta_.per_metre) + 1);
+    columns_.find_holders(level_.grid, level_.around.mirrors, level_.quanta.wide(level_.around.domain.min),
+                          level_.quanta.wide(level_.around.domain.max),
+                          static_cast<std::int64_t>((reach + 0.1 * level_.setup.dp) * level_.quanta.per_metre) + 1);
     const int self = ranks().rank();
     std::vector<std::int32_t> kept;
     std::vector<Comm::Bytes> to(static_cast<std::size_t>(ranks().size()));
-    const std::size_t bytes = particles_.moved_bytes();
+    const std::size_t bytes = level_.particles.moved_bytes();
     for (std::size_t k = 0; k < n; ++k) {
         const std::int32_t c = column[k];
         if (columns_.holds(self, c)) kept.push_back(staying[k]);
@@ -198,41 +204,52 @@ void Level::hold_columns(const std::vector<std::int32_t>& staying, double reach)
             if (r == self) return;
             Comm::Bytes& out = to[static_cast<std::size_t>(r)];
             out.resize(out.size() + bytes);
-            particles_.pack(static_cast<std::size_t>(staying[k]), out.data() + out.size() - bytes);
+            level_.particles.pack(static_cast<std::size_t>(staying[k]), out.data() + out.size() - bytes);
         };
         send(columns_.owner(c));
         for (const std::int32_t r : columns_.holders(c)) send(r);
     }
-    particles_.reorder(kept);
+    level_.particles.reorder(kept);
     if (!whole_)
         for (const Comm::Bytes& got : ranks().exchange(to)) {
-            const std::size_t before = particles_.size();
-            particles_.resize(before + got.size() / bytes);
-            for (std::size_t k = 0; k < got.size() / bytes; ++k) particles_.unpack(before + k, got.data() + k * bytes);
+            const std::size_t before = level_.particles.size();
+            level_.particles.resize(before + got.size() / bytes);
+            for (std::size_t k = 0; k < got.size() / bytes; ++k)
+                level_.particles.unpack(before + k, got.data() + k * bytes);
         }
     whole_ = false;
 }
 
 /// The particles are sorted: who owns which, and who tells whom.
-void Level::note_own() {
-    own_.assign(particles_.size(), 0);
+void RankShare::note_own() {
+    own_.assign(level_.particles.size(), 0);
     std::int64_t mine = 0;
-    for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
+    for (std::size_t c = 0; c + 1 < level_.near.start.size(); ++c) {
         if (columns_.owner(static_cast<int>(c)) != ranks().rank()) continue;
-        std::fill(own_.begin() + start_[c], own_.begin() + start_[c + 1], 1);
-        mine += start_[c + 1] - start_[c];
+        std::fill(own_.begin() + level_.near.start[c], own_.begin() + level_.near.start[c + 1], 1);
+        mine += level_.near.start[c + 1] - level_.near.start[c];
     }
     total_ = ranks().sum(mine);
-    const Halo::Sorted sorted{&start_, 0};
+    const Halo::Sorted sorted{&level_.near.start, 0};
     halo_ = Halo(ranks(), columns_, std::span(&sorted, 1));
-    walls_.set_halo(ranks(), columns_);
+    level_.walls.set_halo(ranks(), columns_);
 }
 
-void Level::tell_first_sweep() {
+void RankShare::note_columns_of_groups() {
+    group_columns_.clear();
+    for (const Group& g : level_.near.groups) group_columns_.push_back(column_of(static_cast<std::size_t>(g.first)));
+}
+
+void RankShare::tell_samples(PointSamples& points) const {
+    for (std::vector<float>* values : {&points.p, &points.support, &points.flux})
+        ranks().take_from_owners(std::span(*values));
+}
+
+void RankShare::tell_first_sweep() {
     struct Sums {
         float gx, gy, gz, support, drho;
     };
-    Particles& p = particles_;
+    Particles& p = level_.particles;
     const std::size_t carried = p.carried.empty() ? 0 : sizeof(CarriedShare);
     halo_.tell(
         sizeof(Sums) + carried,
@@ -254,18 +271,18 @@ void Level::tell_first_sweep() {
 
 /// The places of a column go to one rank, so those that are worked out together are those of one process. Places that
 /// coincide have the same fields, whatever the order of the ranks makes of theirs.
-void Level::interpolate_together(FieldsAt& at) {
+void RankShare::interpolate_together(FieldsAt& at, const std::function<void(FieldsAt&)>& interpolate_here) const {
     const Comm& all = ranks();
     const std::size_t n = at.places.size();
     if (all.sum(static_cast<std::int64_t>(n)) == 0) return;
-    update_records();
-    const ColumnGrid columns = grid_.scaled(at.apart);
+    const ColumnGrid columns = level_.grid.scaled(at.apart);
     const auto size = static_cast<std::size_t>(all.size());
     std::vector<std::size_t> asked(n);  // whom
     std::vector<Comm::Bytes> questions(size);
     for (std::size_t k = 0; k < n; ++k) {
         const Vec3& x = at.places[k];
-        asked[k] = static_cast<std::size_t>(columns_.owner(grid_.of(columns.centre(columns.of(quanta_.wide(x))))));
+        asked[k] =
+            static_cast<std::size_t>(columns_.owner(level_.grid.of(columns.centre(columns.of(level_.quanta.wide(x))))));
         append(questions[asked[k]], std::array{x.x(), x.y(), x.z()});
     }
     const std::vector<Comm::Bytes> theirs = all.exchange(questions);
@@ -299,27 +316,27 @@ void Level::interpolate_together(FieldsAt& at) {
     }
 }
 
-Particles Level::gathered() const {
+Particles RankShare::gathered() const {
     Particles all;
-    all.bring_all_of(particles_);
+    all.bring_all_of(level_.particles);
     if (!ranks().many() || whole_) {
-        if (ranks().first()) all = particles_;
+        if (ranks().first()) all = level_.particles;
         return all;
     }
     struct Column {
         std::int32_t column, size;
     };
-    const std::size_t bytes = particles_.moved_bytes();
+    const std::size_t bytes = level_.particles.moved_bytes();
     Comm::Bytes own;
-    for (std::size_t c = 0; c + 1 < start_.size(); ++c) {
-        const Column column{static_cast<std::int32_t>(c), start_[c + 1] - start_[c]};
+    for (std::size_t c = 0; c + 1 < level_.near.start.size(); ++c) {
+        const Column column{static_cast<std::int32_t>(c), level_.near.start[c + 1] - level_.near.start[c]};
         if (column.size == 0 || columns_.owner(column.column) != ranks().rank()) continue;
         std::size_t at = own.size();
         own.resize(at + sizeof(Column) + static_cast<std::size_t>(column.size) * bytes);
         std::memcpy(own.data() + at, &column, sizeof(Column));
         at += sizeof(Column);
-        for (std::int32_t i = start_[c]; i < start_[c + 1]; ++i, at += bytes)
-            particles_.pack(static_cast<std::size_t>(i), own.data() + at);
+        for (std::int32_t i = level_.near.start[c]; i < level_.near.start[c + 1]; ++i, at += bytes)
+            level_.particles.pack(static_cast<std::size_t>(i), own.data() + at);
     }
     const std::vector<Comm::Bytes> of_ranks = ranks().sent_to_first(own);
     if (!ranks().first()) return all;
@@ -340,7 +357,8 @@ Particles Level::gathered() const {
 }
 
 template <class Blow>
-std::vector<Blow> Level::of_all_ranks(const std::vector<Blow>& own, const std::vector<std::int32_t>& columns) const {
+std::vector<Blow> RankShare::of_all_ranks(const std::vector<Blow>& own,
+                                          const std::vector<std::int32_t>& columns) const {
     if (!ranks().many()) return own;
     struct Sent {
         std::int32_t column, triangle;
@@ -360,12 +378,12 @@ std::vector<Blow> Level::of_all_ranks(const std::vector<Blow>& own, const std::v
                          Vec3(s.place_and_what.data() + 3)});
     return blows;
 }
-template std::vector<WallPush> Level::of_all_ranks(const std::vector<WallPush>&,
-                                                   const std::vector<std::int32_t>&) const;
-template std::vector<WallStrike> Level::of_all_ranks(const std::vector<WallStrike>&,
-                                                     const std::vector<std::int32_t>&) const;
+template std::vector<WallPush> RankShare::of_all_ranks(const std::vector<WallPush>&,
+                                                       const std::vector<std::int32_t>&) const;
+template std::vector<WallStrike> RankShare::of_all_ranks(const std::vector<WallStrike>&,
+                                                         const std::vector<std::int32_t>&) const;
 
-void Level::fail_together(const Failing& failing) const {
+void RankShare::fail_together(const Failing& failing) const {
     struct Rank {
         std::int64_t order;
         std::int32_t rank;
@@ -376,7 +394,14 @@ void Level::fail_together(const Failing& failing) const {
             if (std::pair(other.order, other.rank) < std::pair(all.order, all.rank)) all = other;
         });
     throw RunError(
-        ranks().told_by(speaks.rank, failing.at ? text_of_failure(*failing.at, failing.what) : std::string()));
+        ranks().told_by(speaks.rank, failing.at ? level_.text_of_failure(*failing.at, failing.what) : std::string()));
+}
+
+void RankShare::fail_through_wall(std::optional<std::size_t> through) const {
+    ++level_.ledger.lost;
+    fail_together({through, through ? -column_of(*through) : 0,
+                   "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
+                   "coarse for a sharp edge"});
 }
 
 }  // namespace tw

@@ -1,0 +1,125 @@
+// Who is whose neighbour in a level on a processor: sorting, images, groups, lists and wall normals; and the packed arrays
+// that the pair loops read.
+#include <algorithm>
+#include <numeric>
+
+#include "sph_solver/backend/for_particles.h"
+#include "sph_solver/levels/on_processor.h"
+
+namespace tw {
+
+void LevelOnProcessor::update_records() {
+    Particles& p = level_.particles;
+    for_particles(p.size(),
+                  UpdateRecords{level_.state_view(), level_.to_quanta(), p.place.data(), p.velocity_density.data()});
+    level_.ghosts.refresh(p, level_.time, p.velocity_density);
+}
+
+void LevelOnProcessor::prune(double drift) {
+    PruneData d;
+    d.lists = level_.near.lists.view();
+    d.of = level_.particles.place.data();
+    d.place = level_.particles.place.data();
+    d.reach = level_.reach_among(drift) / level_.quanta.size;
+    for_pairs(level_.passes, d, level_.near.groups);
+    level_.walls.prune(level_.passes, level_.particles.place.data(), level_.near.groups,
+                       level_.reach_to_walls(drift) / level_.quanta.size);
+}
+
+std::vector<Source> LevelOnProcessor::sources() const {
+    const std::size_t n = level_.particles.size();
+    return {{&level_.grid, level_.particles.place.data(), &level_.near.start, 0},
+            {&level_.grid, level_.particles.place.data() + n, &level_.ghosts.start(), static_cast<std::int32_t>(n)}};
+}
+
+void LevelOnProcessor::make_lists(double drift) {
+    const LevelSetup& s = level_.setup;
+    Particles& p = level_.particles;
+
+    const bool shared = share_.ranks().many();
+    if (shared) {
+        share_.divide_columns();
+        share_.let_go({});
+    }
+    const Ledger before = level_.ledger;
+    const auto [gone, entered] = cross_open_boundaries(level_.around, s.dp, p, level_.ledger);
+    std::vector<std::int32_t> index;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));
+    level_.ledger.out += static_cast<std::int64_t>(p.size() - index.size());
+
+    const auto [among, to_walls] = level_.reaches_of_lists(drift);
+    const double reach = std::max(among.far, to_walls.far);
+    if (shared) {
+        share_.agree_on_crossings(before, entered);
+        share_.hold_columns(index, std::max(reach, level_.reach_of_others()));
+        index.resize(p.size());
+        std::iota(index.begin(), index.end(), 0);
+    }
+
+    std::vector<WidePlace> kept(index.size());
+    for_particles(kept.size(), [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(index[k]);
+        kept[k] = level_.quanta.wide({p.x[i], p.y[i], p.z[i]});
+    });
+    std::vector<std::int32_t> order;
+    sort_by_column(level_.grid, kept, order, level_.near.start);
+    order_coincident(
+        kept, level_.near.start,
+        [&](std::int32_t k) { return p.id[static_cast<std::size_t>(index[static_cast<std::size_t>(k)])]; }, order);
+    for (auto& k : order) k = index[static_cast<std::size_t>(k)];
+    p.reorder(order);
+    if (!level_.walls.empty()) level_.walls.sort(level_.grid, level_.quanta, level_.passes.lanes);
+    if (shared) share_.note_own();
+
+    level_.ghosts.find(p, level_.grid, reach);
+    p.make_room(level_.ghosts.count());
+    update_records();
+
+    const std::vector<Source> own = sources();
+    make_groups(own.front(), level_.passes.lanes, level_.near.groups, share_.own_columns());
+    if (shared) share_.note_columns_of_groups();
+    level_.near.lists.build(level_.passes, level_.quanta, own.front(), level_.near.groups, own, among);
+    if (!level_.walls.empty()) {
+        level_.walls.find_neighbours(level_.passes, level_.grid, level_.quanta, level_.near.groups, own, to_walls,
+                                     share_.own_columns());
+        find_normals();
+    }
+}
+
+void LevelOnProcessor::find_normals() {
+    const double reach = level_.reach_of_normals();
+    const Particles& p = level_.particles;
+    for_groups(level_.near.groups, [&](const Group& g) {
+        for (int l = 0; l < g.size; ++l) {
+            const auto i = static_cast<std::size_t>(g.first + l);
+            Walls::Nearest near{no_wall};
+            if (g.wall_list.size > 0)
+                near = level_.walls.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach);
+            level_.note_wall(i, near);
+        }
+    });
+    share_.halo().tell(level_.particles.wall_normal.data(), level_.particles.wall_leaving.data());
+    if (level_.walls.move()) share_.halo().tell(level_.particles.wall_body.data());
+    if (level_.walls.give_way()) share_.halo().tell(level_.particles.wall_triangle.data());
+    std::optional<std::size_t> through;
+    for (std::size_t i = p.size(); i-- > 0 && !through;)
+        if (double(p.wall_normal[i].distance) < -level_.setup.dp && is_active(p.kind[i])) through = i;
+    if (share_.ranks().sum(std::int64_t{through.has_value()})) share_.fail_through_wall(through);
+}
+
+std::int64_t LevelOnProcessor::live_pairs() const {
+    std::int64_t pairs = 0;
+    for (const Group& g : level_.near.groups) pairs += level_.live_pairs(g) * g.size;
+    return pairs;
+}
+
+StepMaker::Near LevelOnProcessor::find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) {
+    room.groups = level_.near.groups;
+    room.lists.build(level_.passes, level_.quanta, sources().front(), room.groups,
+                     static_cast<LevelOnProcessor&>(other).sources(), reaches);
+    std::erase_if(room.groups, [](const Group& g) { return g.list.size == 0; });
+    return {room.lists.view(), room.groups};
+}
+
+}  // namespace tw

@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "sph_solver/levels/rank_share.h"
+#include "sph_solver/levels/step_maker.h"
+
+namespace tw {
+
+/// A level whose steps this processor makes, of what its rank holds of it.
+class LevelOnProcessor : public StepMaker {
+public:
+    /// Both must outlive this.
+    LevelOnProcessor(ParticleSystem& level, RankShare& share) : level_(level), share_(share) {}
+
+    // all is at home
+    void bring_all_home() override {}
+    void bring_motion_home() override {}
+    void bring_home(const std::vector<std::size_t>&) override {}
+    void note_changed_state() override {}
+    KindCounts count(CountKinds kinds) override;
+    double bytes_on_device() const override { return 0; }
+
+    void make_lists(double drift) override;
+    void update_records() override;
+    void prune(double drift) override;
+    std::int64_t live_pairs() const override;
+    Near find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) override;
+
+    StepView step_view(double t) override { return level_.step_view(t, share_.halo()); }
+    void first_pair_loop(const OtherSums* other) override;
+    void mark_surface() override;
+    void compress(double compress, double drift) override;
+    void refresh_images(double t) override;
+    void press_walls() override;
+    void second_pair_loop(double t) override;
+    void bring_loads_home() override {}
+
+    Vec3 centre_of_group(std::size_t k) const override;
+    std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
+    void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
+    std::vector<Moved> move(const Move& by, const Hold& hold) override;
+
+    void sample(SortedPlaces& points, const ExtrapolateData& to) override;
+
+    void label(const AskEdge& ask, LabelCoarse label, const Zone& zone) override;
+    Spray label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
+                const Asking& asking) override;
+    std::int64_t remove_gone(const std::vector<std::size_t>& more) override;
+    std::vector<Parent> find_parents(double within) override;
+    std::vector<Located> between(double from, double to) override;
+    std::vector<Located> guards() override;
+    void add(const std::vector<Child>& children) override;
+    void forget_edge(With whose) override;
+    void interpolate(FieldsAt& at) override;
+    Followed follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) override;
+    Followed follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) override;
+
+private:
+    /// Where neighbours among the particles and images are looked for.
+    std::vector<Source> sources() const;
+    void find_normals();
+    void interpolate_here(FieldsAt& at);
+    std::vector<std::size_t> own_of_kind(bool (*of)(Kind)) const;
+
+    ParticleSystem& level_;
+    RankShare& share_;
+    std::vector<double> outside_;  ///< of each particle from the edge of the finer zone, at the last labelling [m]
+    std::vector<int> gone_;        ///< of each particle of a level that has guards
+};
+
+}  // namespace tw

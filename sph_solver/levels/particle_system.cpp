@@ -1,0 +1,291 @@
+#include "sph_solver/levels/particle_system.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sph_solver/effects/effects.h"
+#include "sph_solver/equations/water_touch.h"
+
+namespace tw {
+
+namespace {
+
+Quanta quanta_of(const Surroundings& around, double dp) {
+    Vec3 middle = (around.domain.min + around.domain.max) / 2;
+    if (around.dimensions == 2) middle.y() = 0;
+    return Quanta(middle, dp / (1 << 18));
+}
+
+/// The columns cover the domain, its mirror images and the buffers of the stream.
+Box column_area(const Surroundings& around, double support, double dp) {
+    Box area = around.domain;
+    area.min.array() -= support + dp;
+    area.max.array() += support + dp;
+    if (around.stream) {
+        area.min.x() -= around.stream->buffer;
+        area.max.x() += around.stream->buffer;
+    }
+    return area;
+}
+
+}  // namespace
+
+ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup material, const EffectOptions& options,
+                               const Bodies& all_bodies, const Passes& variant, const Fluid& fluid)
+    : around(surroundings),
+      setup(std::move(material)),
+      bodies(all_bodies),
+      passes(variant),
+      h(setup.h_over_dp * setup.dp),
+      mass(setup.rho0 * (fluid.volume > 0 ? fluid.volume : std::pow(setup.dp, around.dimensions))),
+      kernel(h, around.dimensions),
+      given_back(static_cast<float>(WaterTouch::of_plane_surface(kernel, setup.dp, around.dimensions))),
+      quanta(quanta_of(around, setup.dp)),
+      grid(column_area(around, kernel.support(), setup.dp), setup.dp, around.dimensions, quanta, passes.lanes),
+      ghosts(around, setup, quanta),
+      walls(bodies, around, setup, kernel.support(), grid, quanta, passes.lanes) {
+    for (const EffectOn& on : options) particles.bring(effects.emplace_back(on.make())->brings());
+    if (!walls.empty()) {
+        particles.bring(With::walls);
+        if (walls.move()) particles.bring(With::moving_bodies);
+        if (walls.give_way()) particles.bring(With::elastic_bodies);
+    }
+    particles.reserve(fluid.places.size());
+    for (std::size_t k = 0; k < fluid.places.size(); ++k) {
+        const Vec3& p = fluid.places[k];
+        const double depth_pressure =
+            around.at_rest ? around.at_rest->carried(p.z()) : setup.rho0 * around.gravity.norm() * fluid.depth[k];
+        const Kind kind = around.stream && p.x() < around.domain.min.x()   ? Kind::inlet
+                          : around.stream && p.x() > around.domain.max.x() ? Kind::outlet
+                                                                           : Kind::fluid;
+        particles.add(p.x(), p.y(), p.z(), static_cast<float>(stream_velocity(0)),
+                      setup.state_equation.deviation(setup.rho0, depth_pressure), ledger.next_id++, kind);
+    }
+    if (!around.frame) return;
+    const Eigen::Vector3f u = around.frame->velocity_of_rest().cast<float>();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        particles.u[i] = u.x(), particles.v[i] = u.y(), particles.w[i] = u.z();
+}
+
+WaterView ParticleSystem::water_view() const {
+    const Particles& r = particles;
+    const bool of_one_kind = !particles.has(With::coarser) && !particles.has(With::finer) && !around.stream;
+    return {.list = near.lists.view(),
+            .place = r.place.data(),
+            .motion = r.velocity_density.data(),
+            .stress = r.gradient_pressure.data(),
+            .surface = r.surface.data(),
+            .kind = of_one_kind ? nullptr : particles.kind.data(),
+            .kernel = kernel,
+            .quantum = static_cast<float>(quanta.size),
+            .rho0 = static_cast<float>(setup.rho0),
+            .inv_mass = static_cast<float>(1 / mass),
+            .two_dimensional = around.dimensions == 2};
+}
+
+WallView ParticleSystem::wall_view() const {
+    return {.list = walls.lists(),
+            .place = walls.places().data(),
+            .p = walls.pressures().data(),
+            .velocity = walls.velocities(),
+            .body_end = walls.body_end().data(),
+            .bodies = static_cast<int>(walls.body_end().size()),
+            .normal = particles.wall_normal.data()};
+}
+
+FirstSweepData ParticleSystem::first_sweep_data() {
+    Particles& r = particles;
+    return {.water = water_view(),
+            .walls = wall_view(),
+            .stress = r.gradient_pressure.data(),
+            .shift = r.shift_support.data(),
+            .rate = r.rate.data(),
+            .carried = r.carried.empty() ? nullptr : r.carried.data(),
+            .inv_W_dp = static_cast<float>(1 / kernel.W(setup.dp)),
+            .fastest_shift = static_cast<float>(setup.state_equation.c0 / 10),
+            .inv_dp = static_cast<float>(1 / setup.dp),
+            .inv_void = static_cast<float>(1 / (1 - setup.touch_support)),
+            .surface_support = static_cast<float>(setup.surface_support),
+            .given_back = given_back};
+}
+
+SecondSweepData ParticleSystem::second_sweep_data(double t) {
+    const LevelSetup& s = setup;
+    const double stream_acceleration = around.stream ? around.stream->acceleration(t) : 0;
+    SecondSweepData d{.water = water_view(),
+                      .walls = wall_view(),
+                      .leaving = particles.wall_leaving.data(),
+                      .shift = particles.shift_support.data(),
+                      .rate = particles.rate.data(),
+                      .wall_load = walls.group_loads().data(),
+                      .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
+                      .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h * s.rho0) : 0,
+                      .packing_reach = static_cast<float>(kernel.support() - s.dp / 2),
+                      .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
+                      .gx = static_cast<float>(around.weight().x() + stream_acceleration),
+                      .gy = static_cast<float>(around.weight().y()),
+                      .gz = static_cast<float>(around.weight().z())};
+    if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
+    return d;
+}
+
+AfterFirstSweep ParticleSystem::after_first_sweep(double compress, double drift) {
+    Particles& p = particles;
+    const auto or_null = [](auto& field) { return field.empty() ? nullptr : field.data(); };
+    return {.p = state_view(),
+            .to_quanta = to_quanta(),
+            .kind = p.kind.data(),
+            .rate = p.rate.data(),
+            .shift = p.shift_support.data(),
+            .aired = or_null(p.aired),
+            .place = p.place.data(),
+            .motion = p.velocity_density.data(),
+            .stress = p.gradient_pressure.data(),
+            .wall = or_null(p.wall_normal),
+            .compress = compress,
+            .drift = drift,
+            .surface_support = setup.surface_support,
+            .trend = or_null(p.trend),
+            .compression = or_null(p.compression),
+            .density_rate = or_null(p.density_rate)};
+}
+
+ExtrapolateData ParticleSystem::extrapolation() const {
+    ExtrapolateData e;
+    e.water = water_view();
+    e.gx = static_cast<float>(around.weight().x());
+    e.gy = static_cast<float>(around.weight().y());
+    e.gz = static_cast<float>(around.weight().z());
+    return e;
+}
+
+InterpolateData ParticleSystem::interpolation() const {
+    const Eigen::Vector3f slope =
+        (setup.rho0 / (setup.state_equation.c0 * setup.state_equation.c0) * around.gravity).cast<float>();
+    InterpolateData d;
+    d.water.kernel = Kernel(interpolation_h_over_dp * setup.dp, around.dimensions);
+    d.water.quantum = static_cast<float>(quanta.size);
+    d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
+    d.water.two_dimensional = around.dimensions == 2;
+    return d;
+}
+
+TakeGiving ParticleSystem::giving(const Asking& asking) {
+    const Particles& p = particles;
+    return {.place = p.place.data(),
+            .motion = p.velocity_density.data(),
+            .shift = p.shift_support.data(),
+            .density_rate = p.density_rate.data(),
+            .kind = p.kind.data(),
+            .links = ghosts.links().data(),
+            .n = p.size(),
+            .of = asking.of,
+            .density_before = asking.density_before,
+            .without = asking.without ? *asking.without : SurfaceExcess(),
+            .row = density_of_row(),
+            .to_place = nullptr,
+            .to_motion = nullptr,
+            .known_support = nullptr,
+            .rate = nullptr};
+}
+
+StepView ParticleSystem::step_view(double t, const Halo& halo) {
+    Particles& p = particles;
+    StepView view{.around = around,
+                  .level = setup,
+                  .n = p.size(),
+                  .images = ghosts.count(),
+                  .p = state_view(),
+                  .kind = p.kind.data(),
+                  .aired = p.aired.data(),
+                  .shift = p.shift_support.data(),
+                  .water = water_view(),
+                  .dummies = {},
+                  .stress = p.gradient_pressure.data(),
+                  .rate = p.rate.data(),
+                  .passes = passes,
+                  .groups = near.groups,
+                  .bodies = {},
+                  .dummy_count = walls.size(),
+                  .sliding = walls.sliding().empty() ? nullptr : walls.sliding().data(),
+                  .wall_load_count = walls.group_load_count(),
+                  .links = ghosts.links().data(),
+                  .maps = ghosts.maps().data(),
+                  .ranks = ranks(),
+                  .halo = halo,
+                  .dummies_halo = walls.halo(),
+                  .h = h,
+                  .mass = mass,
+                  .time = t};
+    if (walls.empty()) return view;
+    view.dummies = wall_view();
+    for (const Walls::Part& part : walls.parts())
+        view.bodies.push_back({part.first, part.water.view(), part.near_water});
+    return view;
+}
+
+ParticleSystem::ReachesOfLists ParticleSystem::reaches_of_lists(double drift) const {
+    const double support = kernel.support();
+    const auto reaches = [&](double now, double slack) {
+        return Reaches{std::max(support + slack, now), now, support - slack};
+    };
+    return {reaches(reach_among(drift), ListLife::skin_over_dp * setup.dp),
+            reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * setup.dp)};
+}
+
+Reaches ParticleSystem::reaches_of_interpolation() const {
+    return reaches_of_points(Kernel(interpolation_h_over_dp * setup.dp, around.dimensions));
+}
+
+Reaches ParticleSystem::reaches_of_points(const Kernel& of) const {
+    const double support = of.support();
+    return {support, support, support, near.life.travel + 0.1 * setup.dp};
+}
+
+double ParticleSystem::reach_of_others() const {
+    if (!particles.has(With::coarser) && !particles.has(With::finer)) return 0;
+    return Kernel(interpolation_h_over_dp * setup.dp, around.dimensions).support() +
+           ListLife::wall_skin_over_dp * setup.dp;
+}
+
+void ParticleSystem::note_wall(std::size_t i, const Walls::Nearest& nearest) {
+    particles.wall_normal[i] = nearest.normal;
+    particles.wall_leaving[i] = nearest.leaving;
+    if (walls.move()) particles.wall_body[i] = static_cast<std::uint16_t>(nearest.body);
+    if (walls.give_way()) particles.wall_triangle[i] = nearest.triangle;
+}
+
+double ParticleSystem::density_of_row() const {
+    const double c0 = setup.state_equation.c0;
+    return setup.rho0 * around.gravity.norm() * setup.dp / (c0 * c0);
+}
+
+std::int64_t ParticleSystem::live_pairs(const Group& g) const {
+    std::int64_t live = 0;
+    const auto count = [&](const Lists& lists, const ListRef& list) {
+        const NeighbourBlock* blocks = lists.blocks(list);
+        for (std::int32_t k = 0; k < list.size; ++k) live += std::popcount(blocks[k].live);
+    };
+    count(near.lists.view(), g.list);
+    count(walls.lists(), g.wall_list);
+    return live;
+}
+
+std::string ParticleSystem::text_of_failure(std::size_t i, const std::string& what) const {
+    const Particles& p = particles;
+    return fmt::format("{} particle {} at t = {:.6g} s (step {}) near ({:.4g}, {:.4g}, {:.4g}) m, |u| = {:.4g} m/s, {}",
+                       setup.material, p.id[i], time, steps, p.x[i], p.y[i], p.z[i],
+                       std::sqrt(double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i]), what);
+}
+
+double ParticleSystem::bytes() const {
+    double sum = double(near.lists.bytes() + walls.bytes() + ghosts.bytes() + particles.bytes());
+    sum += double(near.groups.capacity() * sizeof(Group));
+    for (const auto& effect : effects) sum += double(effect->bytes());
+    return sum;
+}
+
+}  // namespace tw

@@ -1,0 +1,131 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sph_solver/bodies/walls.h"
+#include "sph_solver/domain/extremes.h"
+#include "sph_solver/domain/level_setup.h"
+#include "sph_solver/domain/schedule.h"
+#include "sph_solver/domain/surroundings.h"
+#include "sph_solver/effects/effect.h"
+#include "sph_solver/fields/particles.h"
+#include "sph_solver/ghosts/ghosts.h"
+#include "sph_solver/ghosts/open_boundaries.h"
+#include "sph_solver/levels/control_volume.h"
+#include "sph_solver/loops/after_first_sweep.h"
+#include "sph_solver/loops/at_edge.h"
+#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/list_life.h"
+#include "sph_solver/sweeps/interpolate.h"
+#include "sph_solver/sweeps/views.h"
+
+namespace tw {
+
+struct EffectOptions;
+
+/// Who stands where, and who meets whom. Where a device makes the steps only what the host has asked for is here, and of
+/// the groups those at walls.
+struct Neighbours {
+    std::vector<std::int32_t> start;  ///< first particle of each column
+    std::vector<Group> groups;
+    NeighbourLists lists;
+    ListLife life;
+};
+
+/// What the particles of a level are: their state, kernel and material, the walls, images and effects that act on them.
+/// Data for those who make the steps (step_maker.h) and share the particles among ranks (rank_share.h): what is done with
+/// it, and in which order, is theirs and Level's. Others see it through Level.
+struct ParticleSystem {
+    /// As that of Level.
+    ParticleSystem(const Surroundings& surroundings, LevelSetup material, const EffectOptions& options,
+                   const Bodies& all_bodies, const Passes& variant, const Fluid& fluid);
+    ParticleSystem(const ParticleSystem&) = delete;
+
+    const Surroundings& around;
+    LevelSetup setup;
+    const Bodies& bodies;
+    const Passes& passes;
+    std::vector<std::unique_ptr<Effect>> effects;
+
+    double h, mass;           ///< smoothing length [m]; of one particle [kg]
+    double time = 0, dt = 0;  ///< [s]
+    std::int64_t steps = 0;
+    Kernel kernel;
+    float given_back;  ///< [m], a of WaterTouch
+    Quanta quanta;
+    ColumnGrid grid;
+    Particles particles;
+    Ghosts ghosts;
+    Walls walls;
+    double wall_speed = 0;  ///< of the fastest dummy at the last evaluation [m/s]
+    Neighbours near;
+    std::optional<ControlVolume> control;
+    Ledger ledger;
+    Extremes extremes;
+
+    // --- what loops over particles and pairs read and write: the host's arrays
+    StateView state_view() {
+        Particles& p = particles;
+        return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
+    }
+    ToQuanta to_quanta() const {
+        const Vec3& o = quanta.origin;
+        return {o.x(), o.y(), o.z(), quanta.per_metre, static_cast<float>(mass), static_cast<float>(setup.rho0)};
+    }
+    LacksSupport lacks_support() const {
+        const Particles& p = particles;
+        return {p.kind.data(), p.trend.empty() ? nullptr : p.trend.data(), p.shift_support.data(),
+                setup.surface_support};
+    }
+    WaterView water_view() const;
+    WallView wall_view() const;
+    FirstSweepData first_sweep_data();
+    SecondSweepData second_sweep_data(double t);
+    AfterFirstSweep after_first_sweep(double compress, double drift);
+    ExtrapolateData extrapolation() const;    ///< from the present records; the caller says where to
+    InterpolateData interpolation() const;    ///< the caller says of whom, where to and what
+    TakeGiving giving(const Asking& asking);  ///< the caller says where to
+    StepView step_view(double t, const Halo& halo);
+
+    // --- how far they look [m]
+    /// Distance from which a neighbour may come within the support during `drift` [s].
+    double reach_among(double drift) const { return kernel.support() + 2 * drift * near.life.relative_speed; }
+    double reach_to_walls(double drift) const { return kernel.support() + drift * (extremes.speed + walls.fastest()); }
+    /// How far lists that are made now look among particles, and between those and walls.
+    struct ReachesOfLists {
+        Reaches among, to_walls;
+    };
+    ReachesOfLists reaches_of_lists(double drift) const;
+    double reach_of_normals() const { return 2 * kernel.support() + setup.dp; }  ///< of the nearest walls
+    /// Of points that see the particles by a kernel. These may be elsewhere than when they were sorted (`stale`), with a
+    /// margin, because the travel is that of particles that the water's equations move: what others come farther is
+    /// missing at the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most.
+    Reaches reaches_of_points(const Kernel& of) const;
+    Reaches reaches_of_interpolation() const;
+    double reach_of_others() const;  ///< how far other levels look in this one while its lists hold
+
+    /// Speed away from the wall that particle i has near, relative to that wall, when it moves with `u` [m/s].
+    double leaving(std::size_t i, const V3<double>& u) const {
+        const Particles& p = particles;
+        const V3<double> n = normal_of(p.wall_normal[i]);
+        const double of_water = dot(u, n);
+        if (p.wall_body.empty()) return of_water;
+        const std::int32_t triangle = p.wall_triangle.empty() ? -1 : p.wall_triangle[i];
+        const Vec3 of_wall = walls.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle);
+        return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
+    }
+    /// Takes what is nearest as the wall of particle i.
+    void note_wall(std::size_t i, const Walls::Nearest& nearest);
+    double stream_velocity(double t) const { return around.stream ? around.stream->velocity(t) : 0; }
+    /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
+    double density_of_row() const;
+    const Comm& ranks() const { return around.ranks ? *around.ranks : Comm::alone(); }
+    std::int64_t live_pairs(const Group& g) const;  ///< that each of a group's particles meets, useful or not
+    std::string text_of_failure(std::size_t i, const std::string& what) const;
+    double bytes() const;  ///< of the host's memory
+};
+
+}  // namespace tw

@@ -1,0 +1,104 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sph_solver/bodies/samples.h"
+#include "sph_solver/levels/fields_at.h"
+#include "sph_solver/levels/particle_system.h"
+#include "sph_solver/loops/edge_labels.h"
+#include "sph_solver/parallel/comm.h"
+#include "sph_solver/parallel/decomposition.h"
+#include "sph_solver/parallel/halo.h"
+
+namespace tw {
+
+/// What of a level's particles this rank holds, and what it exchanges with the others: each owns whole columns, and holds
+/// copies of the columns round them. Of one process all of it is a matter of course: it owns all, and exchanges nothing.
+class RankShare {
+public:
+    /// `level` must outlive this, with the particles that a run begins with.
+    explicit RankShare(ParticleSystem& level) : level_(level) { begin_whole(); }
+    RankShare(const RankShare&) = delete;
+
+    const Comm& ranks() const { return level_.ranks(); }
+    bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
+    std::size_t copies() const { return halo_.received(); }
+    const Halo& halo() const { return halo_; }
+    std::int64_t total() const { return total_; }  ///< particles of all ranks; of several ranks only
+    void take_out(std::int64_t count) { total_ -= count; }
+    std::int32_t column_of(std::size_t i) const;   ///< in which it stood when it was sorted last; of several ranks only
+    std::function<bool(int)> own_columns() const;  ///< empty: all are
+    /// Throws InputError where so many ranks are more than the columns with particles; before the first step.
+    void refuse_idle(int count) const;
+    /// From now on the columns go to the ranks as those of another level of the same columns do, which has its lists made
+    /// first.
+    void share_columns_with(RankShare& leading) { leading.following_ = this, columns_of_ = &leading; }
+
+    // --- which particles it holds
+    /// All ranks hold all particles, until lists are made.
+    void begin_whole();
+    /// Leaves each of those to one rank.
+    void share_out();
+    /// Lets particles go, and copies of others' particles; lists are due then. Empty: only the copies.
+    void let_go(const std::vector<int>& gone);
+    /// Those behind the sorted ones, which have been added since, are its own.
+    void own_added() {
+        if (ranks().many()) own_.resize(level_.particles.size(), 1);
+    }
+    void divide_columns();
+    void agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered);
+    void hold_columns(const std::vector<std::int32_t>& staying, double reach);
+    void note_own();
+    void note_columns_of_groups();
+
+    // --- what ranks tell each other
+    void tell_first_sweep();
+    /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
+    Particles gathered() const;
+    /// Each point is worked out by one rank, and nothing on the others.
+    void tell_samples(PointSamples& points) const;
+    /// Fields at places: `here` works out those of which this rank owns the columns.
+    void interpolate_together(FieldsAt& at, const std::function<void(FieldsAt&)>& here) const;
+    /// Of several ranks all of it, with indices in the order in which one process holds all; else `own`.
+    std::vector<Located> of_all_ranks(std::vector<Located> own) const;
+    std::int64_t among_all(std::size_t i) const;  ///< that index of one that this process owns
+    /// The one that has it; nothing: another process owns it.
+    std::optional<std::size_t> owned(std::int64_t among_all) const;
+    /// Puts what all ranks have of blows in the order of their columns.
+    template <class Blow>
+    std::vector<Blow> of_all_ranks(const std::vector<Blow>& own, const std::vector<std::int32_t>& columns) const;
+    /// The numbers 0, 1, ... of things of all ranks, each by a particle, in the order of these; `by` names those of the
+    /// own things in ascending order.
+    struct Numbers {
+        std::vector<std::int64_t> own;
+        std::int64_t all;
+    };
+    Numbers number_by_column(const std::vector<std::int32_t>& by) const;
+    /// Ends the run on all ranks, which all call it, with the text of the one whose particle is first in order.
+    struct Failing {
+        std::optional<std::size_t> at;  ///< a particle that this rank holds; none: it has none that fails
+        std::int64_t order;             ///< among those of all ranks
+        std::string what;
+    };
+    [[noreturn]] void fail_together(const Failing& failing) const;
+    [[noreturn]] void fail_through_wall(std::optional<std::size_t> particle) const;
+
+private:
+    ColumnGrid blocks() const;
+    void add_work(std::vector<std::int64_t>& of_columns) const;
+
+    ParticleSystem& level_;
+    Decomposition columns_;
+    RankShare *columns_of_ = nullptr, *following_ = nullptr;  ///< see share_columns_with
+    Halo halo_;
+    bool whole_ = false;                       ///< all ranks hold all particles, until lists are made
+    std::vector<char> own_;                    ///< of each particle; empty: all are
+    std::int64_t total_ = 0;                   ///< particles of all ranks
+    std::vector<std::int32_t> group_columns_;  ///< in which the groups stand
+};
+
+}  // namespace tw
