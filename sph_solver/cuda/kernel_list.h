@@ -1,5 +1,5 @@
 #pragma once
-// The kernels by name, once for all who make or start them: a line each.
+// The kernels by name and by the type of what they do, once for all who make or start them (launch.h): a line each.
 // clang-format off
 
 // Sweeps over groups and their neighbours: sweep(NAME, VIEW).
@@ -61,6 +61,13 @@
     task(tw_add_children,            cuda::AddChildren)          \
     task(tw_forget_edge,             cuda::ForgetEdge)
 
+// The same, of tasks that count: they are given an atomic `add_one(counter)`.
+#define TW_DEVICE_COUNTING_TASKS(task)                \
+    task(tw_count_kinds,   CountKinds)                \
+    task(tw_count_in_bins, cuda::CountInBins)         \
+    task(tw_label_coarse,  cuda::LabelCoarseKnown)    \
+    task(tw_label_fine,    cuda::LabelFineKnown)
+
 // Groups by a condition: choose(NAME, CONDITION).
 #define TW_DEVICE_CHOICES(choose) \
     choose(tw_has_neighbours, cuda::HasNeighbours)
@@ -68,5 +75,15 @@
 // One index by one thread, and the largest of what they give: largest(NAME, TASK).
 #define TW_DEVICE_LARGEST(largest)       \
     largest(tw_fastest, cuda::FastestOf)
+
+// Kernels that are written out (kernels.cpp): other(NAME, TASK).
+#define TW_DEVICE_OTHERS(other)                      \
+    other(tw_move,            cuda::MoveAll)          \
+    other(tw_search,          cuda::SearchNeighbours) \
+    other(tw_scan_blocks,     cuda::ScanBlocks)       \
+    other(tw_scan_sums,       cuda::ScanSums)         \
+    other(tw_scan_fill,       cuda::ScanFill)         \
+    other(tw_peak_arithmetic, cuda::PeakArithmetic)   \
+    other(tw_peak_cache,      cuda::PeakCache)
 
 // clang-format on

@@ -68,10 +68,13 @@ TW_DEVICE_CHOICES(choose)
 TW_EFFECT_CHOICES(choose)
 #undef choose
 
-TW_KERNEL tw_count_kinds(CountKinds task, std::size_t count) {
-    const std::size_t i = device::index();
-    if (i < count) task(i, device::add_one);
-}
+#define task(name, Task)                           \
+    TW_KERNEL name(Task task, std::size_t count) { \
+        const std::size_t i = device::index();     \
+        if (i < count) task(i, device::add_one);   \
+    }
+TW_DEVICE_COUNTING_TASKS(task)
+#undef task
 
 /// Each block leaves one part.
 TW_KERNEL tw_move(cuda::MoveAll task, MovedExtremes* parts, std::size_t count) {
@@ -107,20 +110,6 @@ TW_DEVICE_LARGEST(largest)
 TW_EFFECT_LARGEST(largest)
 #undef largest
 
-TW_KERNEL tw_label_coarse(cuda::LabelCoarseKnown task, std::size_t count) {
-    const std::size_t i = device::index();
-    if (i < count) task(i, device::add_one);
-}
-TW_KERNEL tw_label_fine(cuda::LabelFineKnown task, std::size_t count) {
-    const std::size_t i = device::index();
-    if (i < count) task(i, device::add_one);
-}
-
-TW_KERNEL tw_count_in_bins(cuda::CountInBins task, std::size_t count) {
-    const std::size_t k = device::index();
-    if (k < count) task(k, device::add_one);
-}
-
 /// A warp for each group, which asks for 32 places at once.
 TW_KERNEL tw_search(cuda::SearchNeighbours task, const Group* groups, int count) {
     using namespace on_device;
@@ -145,7 +134,8 @@ TW_KERNEL tw_search(cuda::SearchNeighbours task, const Group* groups, int count)
 
 // What the card can do at most, for benchmarks: 16 fused products and sums a round, in eight chains; and reading an array
 // over and over that the second cache holds.
-TW_KERNEL tw_peak_arithmetic(float* result, int rounds) {
+TW_KERNEL tw_peak_arithmetic(cuda::PeakArithmetic peak) {
+    const auto [result, rounds] = peak;
     float x[8];
     for (int k = 0; k < 8; ++k) x[k] = static_cast<float>(device::thread_in_block() + k);
     for (int r = 0; r < rounds; ++r)
@@ -156,7 +146,8 @@ TW_KERNEL tw_peak_arithmetic(float* result, int rounds) {
     for (int k = 0; k < 8; ++k) sum += x[k];
     if (sum == -1) *result = sum;
 }
-TW_KERNEL tw_peak_cache(float* result, const PlaceRecord* array, int length, int rounds) {
+TW_KERNEL tw_peak_cache(cuda::PeakCache peak) {
+    const auto [result, array, length, rounds] = peak;
     int sum = 0;
     const int all = static_cast<int>(__nvvm_read_ptx_sreg_nctaid_x()) * cuda::threads_in_block;
     for (int r = 0; r < rounds; ++r)
@@ -171,7 +162,8 @@ TW_KERNEL tw_peak_cache(float* result, const PlaceRecord* array, int length, int
 namespace {
 constexpr int of_thread = cuda::scanned_by_block / cuda::threads_in_block;
 }
-TW_KERNEL tw_scan_blocks(const int* of, int* sums, int n) {
+TW_KERNEL tw_scan_blocks(cuda::ScanBlocks scan) {
+    const auto [of, sums, n] = scan;
     int* const room = device::room_of_block<int, cuda::threads_in_block>();
     const int thread = device::thread_in_block(), first = device::block() * cuda::scanned_by_block + thread * of_thread;
     int sum = 0;
@@ -184,7 +176,8 @@ TW_KERNEL tw_scan_blocks(const int* of, int* sums, int n) {
     if (thread == 0) sums[device::block()] = room[0];
 }
 /// By one block: each sum becomes that of all before it, and the one past the last that of all.
-TW_KERNEL tw_scan_sums(int* sums, int n) {
+TW_KERNEL tw_scan_sums(cuda::ScanSums scan) {
+    const auto [sums, n] = scan;
     int* const room = device::room_of_block<int, cuda::threads_in_block>();
     const int thread = device::thread_in_block(), each = (n + cuda::threads_in_block - 1) / cuda::threads_in_block;
     int own = 0;
@@ -200,7 +193,8 @@ TW_KERNEL tw_scan_sums(int* sums, int n) {
     }
     if (thread == cuda::threads_in_block - 1) sums[n] = before;
 }
-TW_KERNEL tw_scan_fill(const int* of, const int* sums, int* before_each, int n) {
+TW_KERNEL tw_scan_fill(cuda::ScanFill scan) {
+    const auto [of, sums, before_each, n] = scan;
     int* const room = device::room_of_block<int, cuda::threads_in_block>();
     const int thread = device::thread_in_block(), first = device::block() * cuda::scanned_by_block + thread * of_thread;
     int own = 0;

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <limits>
 
-#include "sph_solver/device/launch.h"
+#include "sph_solver/cuda/launch.h"
 #include "sph_solver/sweeps/records.h"
 
 namespace tw::cuda {
@@ -23,21 +23,17 @@ Peaks measure_peaks(Device& device) {
     };
     Array<float> result(device);
     result.resize(1);
-    float* to = result.data();
     const std::size_t threads = static_cast<std::size_t>(device.multiprocessors()) * 16 * threads_in_block;
-    int rounds = 20000;
-    void* arithmetic[] = {&to, &rounds};
-    const double flops = 2.0 * 16 * rounds * double(threads) /
-                         seconds_of([&] { device.launch("tw_peak_arithmetic", threads, arithmetic); });
+    const PeakArithmetic arithmetic{result.data(), 20000};
+    const double flops = 2.0 * 16 * arithmetic.rounds * double(threads) /
+                         seconds_of([&] { launch_threads(device, threads, arithmetic); });
     constexpr int length = 1 << 20;  // 16 MB
     Array<PlaceRecord> array(device);
     array.resize(length);
     array.set_zero();
-    const PlaceRecord* from = array.data();
-    int places = length, times = 100;
-    void* cache[] = {&to, &from, &places, &times};
-    const double bytes = double(length) * sizeof(PlaceRecord) * times /
-                         seconds_of([&] { device.launch("tw_peak_cache", threads, cache); });
+    const PeakCache cache{result.data(), array.data(), length, 100};
+    const double bytes = double(length) * sizeof(PlaceRecord) * cache.rounds /
+                         seconds_of([&] { launch_threads(device, threads, cache); });
     return {flops, bytes};
 }
 

@@ -191,4 +191,31 @@ struct CentreGroups {
     }
 };
 
+// Sums of all before, in three steps: of blocks, of these, and within them (kernels.cpp).
+struct ScanBlocks {
+    const int* of;
+    int* sums;
+    int n;
+};
+struct ScanSums {
+    int* sums;
+    int n;
+};
+struct ScanFill {
+    const int *of, *sums;
+    int* before;
+    int n;
+};
+
+// What the card can do at most (peaks.h).
+struct PeakArithmetic {
+    float* result;
+    int rounds;
+};
+struct PeakCache {
+    float* result;
+    const PlaceRecord* array;
+    int length, rounds;
+};
+
 }  // namespace tw::cuda

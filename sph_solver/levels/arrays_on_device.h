@@ -2,9 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "sph_solver/cuda/edges.h"
-#include "sph_solver/cuda/near_walls.h"
-#include "sph_solver/cuda/tasks.h"
+#include "sph_solver/cuda/launch.h"
 #include "sph_solver/levels/lists_on_device.h"
 #include "sph_solver/levels/on_device.h"
 #include "sph_solver/loops/moving.h"
@@ -158,13 +156,5 @@ struct LevelOnDevice::Arrays {
         return sum;
     }
 };
-
-template <class View>
-void LevelOnDevice::sweep(const char* kernel, View view, const cuda::Array<Group>& groups) {
-    const Group* first = groups.data();
-    int count = static_cast<int>(groups.size());
-    void* arguments[] = {&view, &first, &count};
-    device_->launch(kernel, groups.size() * cuda::warp, arguments);
-}
 
 }  // namespace tw

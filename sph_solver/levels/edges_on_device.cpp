@@ -15,19 +15,20 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
     take.place = on.place.data(), take.motion = on.motion.data(), take.shift = on.shift.data();
     take.density_rate = or_null(on.density_rate), take.kind = on.p.kind.data();
     take.links = on.links.data(), take.n = n;
-    launch(*device_, "tw_mark_giving", cuda::MarkGiving{take, on.gives.of(all)}, all);
+    cuda::launch(*device_, cuda::MarkGiving{take, on.gives.of(all)}, all);
     const auto giving = static_cast<std::size_t>(on.gives.add_up());
     on.giving_place.resize(giving), on.giving_motion.resize(giving);
     on.giving_support.resize(asking.without ? giving : 0);
     on.giving_rate.resize(asking.want_compression ? giving : 0);
     take.to_place = on.giving_place.data(), take.to_motion = on.giving_motion.data();
     take.known_support = or_null(on.giving_support), take.rate = or_null(on.giving_rate);
-    launch(*device_, "tw_put_giving", cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
+    cuda::launch(*device_, cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
     const auto columns = static_cast<std::size_t>(level_.grid.count()) + 1;
     const auto source = [&](const SortedOnDevice& order, std::size_t from, cuda::Array<int>& start) {
         start.resize(columns);
-        launch(*device_, "tw_start_giving",
-               cuda::StartGiving{order.start(), order.in_column(), from, on.gives.before(), start.data()}, columns);
+        cuda::launch(*device_,
+                     cuda::StartGiving{order.start(), order.in_column(), from, on.gives.before(), start.data()},
+                     columns);
         return cuda::DeviceSource{on.giving_place.data(), start.data(), 1, 0};
     };
     return {source(on.order, 0, on.giving_start), source(on.image_order, n, on.giving_images)};
@@ -44,7 +45,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     const std::size_t n = at.order.sort(wide.data(), nullptr, nullptr, wide.size());
     at.place.resize(n), at.value.resize(n), at.support.resize(n), at.mean_support.resize(n);
     at.compression.resize(asking.want_compression ? n : 0);
-    launch(*device_, "tw_sort_asked", cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
+    cuda::launch(*device_, cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
     at.groups.make(grid, at.order, at.place.data());
     const std::vector<cuda::DeviceSource> giving = note_giving(asking);
     at.lists.build(level_.grid, grid, at.place.data(), at.groups.column(), at.groups.groups(), giving,
@@ -57,7 +58,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     d.value = at.value.data(), d.support = at.support.data(), d.mean_support = at.mean_support.data();
     d.compression = or_null(at.compression);
     at.mean_support.set_zero(), at.compression.set_zero();  // where nobody gives anything they are not worked out
-    sweep("tw_interpolate", d, at.groups.groups());
+    cuda::launch_pairs(*device_, d, at.groups.groups());
     return {at.order.order(), d.value, d.support, d.mean_support, d.compression};
 }
 
@@ -67,9 +68,9 @@ cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Ask
     auto& other = static_cast<LevelOnDevice&>(level);
     const std::size_t n = on.which.size();
     on.wide_of_others.resize(n);
-    launch(*device_, "tw_places_to_ask",
-           cuda::PlacesToAsk{on.p.view(), ahead, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()},
-           n);
+    cuda::launch(
+        *device_,
+        cuda::PlacesToAsk{on.p.view(), ahead, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
     return other.ask(on.wide_of_others, asking);
 }
 
@@ -82,7 +83,7 @@ void LevelOnDevice::interpolate(FieldsAt& at) {
     on.wide_of_others.take(wide);
     const cuda::FoundAt found = ask(on.wide_of_others, at);
     on.given.resize(wide.size());
-    launch(*device_, "tw_hand_to_host", cuda::HandToHost{found, on.given.data()}, wide.size());
+    cuda::launch(*device_, cuda::HandToHost{found, on.given.data()}, wide.size());
     std::vector<Given> given(wide.size());
     on.given.give(given);
     for (std::size_t k = 0; k < given.size(); ++k) at.take(k, given[k]);
@@ -91,10 +92,9 @@ void LevelOnDevice::interpolate(FieldsAt& at) {
 // --- who is what ------------------------------------------------------------------------------------------------------
 
 template <class Label>
-void LevelOnDevice::label_all(const char* known, const char* asked_of, const cuda::LabelKnown<Label>& task,
-                              const Zone& zone) {
+void LevelOnDevice::label_all(const cuda::LabelKnown<Label>& task, const Zone& zone) {
     Arrays& on = *on_;
-    launch(*device_, known, task, on.p.size());
+    cuda::launch(*device_, task, on.p.size());
     home_ = false;
     const auto asked = static_cast<std::size_t>(on.count.value(0));
     if (asked == 0) return;
@@ -105,7 +105,7 @@ void LevelOnDevice::label_all(const char* known, const char* asked_of, const cud
         outside[k] = zone.outside({x.x, x.y, x.z});
     });
     on.asked_outside.take(outside);
-    launch(*device_, asked_of, cuda::LabelAsked<Label>{task, on.asked_outside.data()}, asked);
+    cuda::launch(*device_, cuda::LabelAsked<Label>{task, on.asked_outside.data()}, asked);
 }
 
 void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
@@ -114,8 +114,7 @@ void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zon
     on.at_edge.resize(on.p.size()), on.outside.resize(on.p.size());
     on.count.set_zero();
     label.kind = on.p.kind.data(), label.children = on.p.children.data();
-    label_all("tw_label_coarse", "tw_ask_coarse",
-              cuda::LabelCoarseKnown{ask, label, on.p.view(), on.p.from_finer_edge.data(), on.outside.data(),
+    label_all(cuda::LabelCoarseKnown{ask, label, on.p.view(), on.p.from_finer_edge.data(), on.outside.data(),
                                      on.at_edge.data(), on.count.data()},
               zone);
 }
@@ -125,8 +124,8 @@ std::size_t LevelOnDevice::list_marked() {
     Arrays& on = *on_;
     const auto marked = static_cast<std::size_t>(on.following.add_up());
     on.which.resize(marked);
-    launch(*device_, "tw_list_marked", cuda::ListMarked{on.following.numbers(), on.following.before(), on.which.data()},
-           on.p.size());
+    cuda::launch(*device_, cuda::ListMarked{on.following.numbers(), on.following.before(), on.which.data()},
+                 on.p.size());
     return marked;
 }
 
@@ -138,23 +137,22 @@ EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const
     on.at_edge.resize(n), on.outside.resize(n), on.gone_at_edge.resize(n);
     on.count.set_zero();
     label.kind = on.p.kind.data(), label.leaves = on.following.of(n), label.gone = on.gone_at_edge.data();
-    label_all("tw_label_fine", "tw_ask_fine",
-              cuda::LabelFineKnown{ask, label, on.p.view(), on.p.from_edge.data(), on.outside.data(), on.at_edge.data(),
+    label_all(cuda::LabelFineKnown{ask, label, on.p.view(), on.p.from_edge.data(), on.outside.data(), on.at_edge.data(),
                                    on.count.data()},
               zone);
     const std::size_t leaving = list_marked();
     if (leaving == 0) return {};
     on.left_zone.resize(leaving);
-    launch(*device_, "tw_leave_zone",
-           cuda::LeaveZone{.become = {on.p.kind.data()},
-                           .found = ask_other(coarser, 0, asking),
-                           .p = on.p.view(),
-                           .which = on.which.data(),
-                           .outside = on.outside.data(),
-                           .gone_beyond = label.gone_beyond,
-                           .gone = label.gone,
-                           .left = on.left_zone.data()},
-           leaving);
+    cuda::launch(*device_,
+                 cuda::LeaveZone{.become = {on.p.kind.data()},
+                                 .found = ask_other(coarser, 0, asking),
+                                 .p = on.p.view(),
+                                 .which = on.which.data(),
+                                 .outside = on.outside.data(),
+                                 .gone_beyond = label.gone_beyond,
+                                 .gone = label.gone,
+                                 .left = on.left_zone.data()},
+                 leaving);
     std::vector<cuda::Left> left(leaving);
     on.left_zone.give(left);
     Spray spray;
@@ -169,12 +167,12 @@ std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     on.which.take(std::vector<int>(more.begin(), more.end()));
-    launch(*device_, "tw_mark_gone", cuda::MarkGone{on.which.data(), on.gone_at_edge.data()}, more.size());
-    launch(*device_, "tw_mark_staying", cuda::MarkStaying{on.gone_at_edge.data(), on.following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkGone{on.which.data(), on.gone_at_edge.data()}, more.size());
+    cuda::launch(*device_, cuda::MarkStaying{on.gone_at_edge.data(), on.following.of(n)}, n);
     const std::size_t staying = list_marked();
     if (staying == n) return 0;
     on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? staying : 0); });
-    launch(*device_, "tw_reorder", cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, staying);
+    cuda::launch(*device_, cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, staying);
     on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
     level_.particles.resize(staying);
     on.gone_at_edge.resize(staying);
@@ -186,12 +184,13 @@ std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
 std::vector<Parent> LevelOnDevice::find_parents(double within) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    launch(*device_, "tw_mark_parents",
-           cuda::MarkParents{on.p.kind.data(), on.p.children.data(), on.outside.data(), within, on.following.of(n)}, n);
+    cuda::launch(
+        *device_,
+        cuda::MarkParents{on.p.kind.data(), on.p.children.data(), on.outside.data(), within, on.following.of(n)}, n);
     std::vector<Parent> parents(list_marked());
     on.parents.resize(parents.size());
-    launch(*device_, "tw_take_parents",
-           cuda::TakeParents{on.p.view(), on.p.children.data(), on.which.data(), on.parents.data()}, parents.size());
+    cuda::launch(*device_, cuda::TakeParents{on.p.view(), on.p.children.data(), on.which.data(), on.parents.data()},
+                 parents.size());
     on.parents.give(parents);
     home_ = false;
     return parents;
@@ -202,7 +201,7 @@ std::vector<Located> LevelOnDevice::located(const int* which, std::size_t n) {
     Arrays& on = *on_;
     std::vector<Located> home(n);
     on.located.resize(n);
-    launch(*device_, "tw_take_located", cuda::TakeLocated{on.p.view(), which, on.located.data()}, n);
+    cuda::launch(*device_, cuda::TakeLocated{on.p.view(), which, on.located.data()}, n);
     on.located.give(home);
     return home;
 }
@@ -214,13 +213,13 @@ std::vector<Located> LevelOnDevice::marked() {
 
 std::vector<Located> LevelOnDevice::between(double from, double to) {
     const std::size_t n = on_->p.size();
-    launch(*device_, "tw_mark_between", cuda::MarkBetween{on_->outside.data(), from, to, on_->following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkBetween{on_->outside.data(), from, to, on_->following.of(n)}, n);
     return marked();
 }
 
 std::vector<Located> LevelOnDevice::guards() {
     const std::size_t n = on_->p.size();
-    launch(*device_, "tw_mark_following", cuda::MarkFollowing{on_->p.kind.data(), true, on_->following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkFollowing{on_->p.kind.data(), true, on_->following.of(n)}, n);
     return marked();
 }
 
@@ -230,14 +229,14 @@ void LevelOnDevice::add(const std::vector<Child>& children) {
     level_.particles.resize(n + children.size());
     on.p.each_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
     on.children.take(children);
-    launch(*device_, "tw_add_children", cuda::AddChildren{on.children.data(), on.p.all(), n}, children.size());
+    cuda::launch(*device_, cuda::AddChildren{on.children.data(), on.p.all(), n}, children.size());
     home_ = false;
 }
 
 void LevelOnDevice::forget_edge(With whose) {
     if (host_counts_) take_state();
     cuda::Array<EdgeDistance>& known = whose == With::coarser ? on_->p.from_edge : on_->p.from_finer_edge;
-    launch(*device_, "tw_forget_edge", cuda::ForgetEdge{known.data()}, known.size());
+    cuda::launch(*device_, cuda::ForgetEdge{known.data()}, known.size());
     home_ = false;
 }
 
@@ -247,14 +246,14 @@ std::size_t LevelOnDevice::list_following(bool guards) {
     if (host_counts_) take_state();
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    launch(*device_, "tw_mark_following", cuda::MarkFollowing{on.p.kind.data(), guards, on.following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkFollowing{on.p.kind.data(), guards, on.following.of(n)}, n);
     return list_marked();
 }
 
 /// How many of `n` are orphans.
 template <class Task>
-std::int64_t LevelOnDevice::hand(const char* kernel, const Task& task, std::size_t n) {
-    launch(*device_, kernel, task, n);
+std::int64_t LevelOnDevice::hand(const Task& task, std::size_t n) {
+    cuda::launch(*device_, task, n);
     home_ = false;
     return on_->orphans.add_up();
 }
@@ -262,7 +261,7 @@ std::int64_t LevelOnDevice::hand(const char* kernel, const Task& task, std::size
 double LevelOnDevice::fastest2_of_following() {
     Arrays& on = *on_;
     const cuda::FastestOf of{on.p.view(), on.which.data()};
-    return loops_.largest("tw_fastest", &of, on.which.size());
+    return loops_.largest(KernelOf<cuda::FastestOf>::name, &of, on.which.size());
 }
 
 Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
@@ -272,8 +271,7 @@ Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking,
     Followed followed{fastest2_of_following(), 0};
     if (n == 0) return followed;
     const cuda::FoundAt found = ask_other(coarser, follow.moved, asking);
-    followed.orphans =
-        hand("tw_hand_to_guards", cuda::HandToGuards{follow, found, on.which.data(), on.orphans.of(n)}, n);
+    followed.orphans = hand(cuda::HandToGuards{follow, found, on.which.data(), on.orphans.of(n)}, n);
     return followed;
 }
 
@@ -284,7 +282,7 @@ Followed LevelOnDevice::follow_finer(EdgeSteps& finer, const Asking& asking, Fol
     follow.p = on.p.view(), follow.kind = on.p.kind.data();
     follow.shift = on.shift.data(), follow.compression = on.p.compression.data();
     const cuda::FoundAt found = ask_other(finer, 0, asking);
-    return {0, hand("tw_hand_to_under", cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n)};
+    return {0, hand(cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n)};
 }
 
 }  // namespace tw

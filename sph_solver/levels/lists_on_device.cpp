@@ -2,28 +2,25 @@
 
 #include <bit>
 
-#include "sph_solver/device/launch.h"
+#include "sph_solver/cuda/launch.h"
 
 namespace tw {
 
 int RunningSum::add_up() {
-    int n = static_cast<int>(of_.size());
+    const int n = static_cast<int>(of_.size());
     before_.resize(of_.size() + 1);
     if (n == 0) {
         before_.set_zero();
         return 0;
     }
-    int blocks = (n + cuda::scanned_by_block - 1) / cuda::scanned_by_block;
+    const int blocks = (n + cuda::scanned_by_block - 1) / cuda::scanned_by_block;
     sums_.resize(static_cast<std::size_t>(blocks) + 1);
-    const int* of = of_.data();
-    int *sums = sums_.data(), *before = before_.data();
+    const int* const of = of_.data();
+    int *const sums = sums_.data(), *const before = before_.data();
     const std::size_t threads = static_cast<std::size_t>(blocks) * cuda::threads_in_block;
-    void* of_blocks[] = {&of, &sums, &n};
-    device_.launch("tw_scan_blocks", threads, of_blocks);
-    void* of_sums[] = {&sums, &blocks};
-    device_.launch("tw_scan_sums", cuda::threads_in_block, of_sums);
-    void* of_each[] = {&of, &sums, &before, &n};
-    device_.launch("tw_scan_fill", threads, of_each);
+    cuda::launch_threads(device_, threads, cuda::ScanBlocks{of, sums, n});
+    cuda::launch_threads(device_, cuda::threads_in_block, cuda::ScanSums{sums, blocks});
+    cuda::launch_threads(device_, threads, cuda::ScanFill{of, sums, before, n});
     return before_.value(of_.size());
 }
 
@@ -39,22 +36,22 @@ std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left
     bin_.resize(n), slot_.resize(n), member_.resize(n), order_.resize(n);
     int* const count = start_.of(static_cast<std::size_t>(bins_.count()));
     start_.set_zero();
-    launch(device_, "tw_count_in_bins", cuda::CountInBins{bins_, wide, left, bin_.data(), slot_.data(), count}, n);
+    cuda::launch(device_, cuda::CountInBins{bins_, wide, left, bin_.data(), slot_.data(), count}, n);
     const int all = start_.add_up();
-    launch(device_, "tw_put_in_bins", cuda::PutInBins{bin_.data(), slot_.data(), start_.before(), member_.data()}, n);
-    launch(device_, "tw_rank_in_bins",
-           cuda::RankInBins{wide, tie, bin_.data(), start_.before(), member_.data(), order_.data()}, n);
+    cuda::launch(device_, cuda::PutInBins{bin_.data(), slot_.data(), start_.before(), member_.data()}, n);
+    cuda::launch(device_, cuda::RankInBins{wide, tie, bin_.data(), start_.before(), member_.data(), order_.data()}, n);
     return static_cast<std::size_t>(all);
 }
 
 void GroupsOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places) {
     const auto n = static_cast<std::size_t>(columns.count());
-    launch(device_, "tw_count_groups", cuda::CountGroups{order.start(), order.in_column(), before_.of(n)}, n);
+    cuda::launch(device_, cuda::CountGroups{order.start(), order.in_column(), before_.of(n)}, n);
     const auto count = static_cast<std::size_t>(before_.add_up());
     groups_.resize(count), column_.resize(count);
-    launch(device_, "tw_make_groups",
-           cuda::MakeGroups{order.start(), order.in_column(), before_.before(), groups_.data(), column_.data()}, n);
-    launch(device_, "tw_centre_groups", cuda::CentreGroups{columns, places, column_.data(), groups_.data()}, count);
+    cuda::launch(device_,
+                 cuda::MakeGroups{order.start(), order.in_column(), before_.before(), groups_.data(), column_.data()},
+                 n);
+    cuda::launch(device_, cuda::CentreGroups{columns, places, column_.data(), groups_.data()}, count);
 }
 
 void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
@@ -74,12 +71,7 @@ void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, cons
                                   .count = count_.of(groups.size()),
                                   .blocks = nullptr,
                                   .list = list};
-    const auto run = [&] {
-        const Group* of = groups.data();
-        int n = static_cast<int>(groups.size());
-        void* arguments[] = {&search, &of, &n};
-        device_.launch("tw_search", groups.size() * cuda::warp, arguments);
-    };
+    const auto run = [&] { cuda::launch_pairs(device_, search, groups); };
     run();
     blocks_.resize(static_cast<std::size_t>(count_.add_up()));
     search.write = true, search.count = count_.before(), search.blocks = blocks_.data();

@@ -8,13 +8,6 @@
 
 namespace tw {
 
-/// Starts a kernel that does a task for `count` indices (cuda/kernel_list.h).
-template <class Task>
-void launch(cuda::Device& device, const char* kernel, Task task, std::size_t count) {
-    void* arguments[] = {&task, &count};
-    device.launch(kernel, count, arguments);
-}
-
 /// Numbers on a device, and for each the sum of all before it.
 class RunningSum {
 public:

@@ -50,15 +50,12 @@ StepMaker::Near LevelOnDevice::find_neighbours(StepMaker& other, const Reaches& 
     on.asking_others.copy(on.groups.groups());
     on.lists_of_others.build(of.level_.grid, level_.grid, on.place.data(), on.groups.column(), on.asking_others,
                              of.sources(), reaches / level_.quanta.size);
-    std::size_t n = on.asking_others.size();
+    const std::size_t n = on.asking_others.size();
     on.near_others.resize(n);
     on.count.set_zero();
-    cuda::HasNeighbours condition;
-    const Group* asking = on.asking_others.data();
-    Group* near = on.near_others.data();
-    int* count = on.count.data();
-    void* arguments[] = {&condition, &asking, &near, &count, &n};
-    device_->launch("tw_has_neighbours", n, arguments);
+    Group* const near = on.near_others.data();
+    cuda::launch_threads(*device_, n, cuda::HasNeighbours{}, static_cast<const Group*>(on.asking_others.data()), near,
+                         on.count.data(), n);
     return {on.lists_of_others.view(), {near, static_cast<std::size_t>(on.count.value(0))}};
 }
 
@@ -73,29 +70,29 @@ void LevelOnDevice::cross_faces() {
         const CrossOpenings cross{domain.min.x(), domain.max.x(), stream->buffer, level_.setup.dp};
         on.gone.resize(n);
         int* const entered = on.entered.of(n);
-        launch(*device_, "tw_cross", cuda::Cross{cross, on.p.x.data(), on.p.kind.data(), entered, on.gone.data()}, n);
+        cuda::launch(*device_, cuda::Cross{cross, on.p.x.data(), on.p.kind.data(), entered, on.gone.data()}, n);
         const int count = on.entered.add_up();
         all += static_cast<std::size_t>(count);
         on.p.each([&](auto& field) {
             if (field.size() > 0) field.grow(all);
         });
         on.gone.grow(all);
-        launch(*device_, "tw_enter",
-               cuda::Enter{on.p.all(), on.entered.numbers(), on.entered.before(), on.gone.data(), n, stream->buffer,
-                           ledger.next_id},
-               n);
+        cuda::launch(*device_,
+                     cuda::Enter{on.p.all(), on.entered.numbers(), on.entered.before(), on.gone.data(), n,
+                                 stream->buffer, ledger.next_id},
+                     n);
         ledger.in += count, ledger.next_id += count;
     }
     on.wide.resize(all), on.left.resize(all);
-    launch(*device_, "tw_put_back",
-           cuda::PutBack{.mirrors = {on.p.view(), faces},
-                         .top = domain.max.z(),
-                         .open_top = !faces.mirror[2][1] && !faces.periodic[2],
-                         .to_quanta = level_.to_quanta(),
-                         .gone = level_.around.stream ? on.gone.data() : nullptr,
-                         .wide = on.wide.data(),
-                         .left = on.left.data()},
-           all);
+    cuda::launch(*device_,
+                 cuda::PutBack{.mirrors = {on.p.view(), faces},
+                               .top = domain.max.z(),
+                               .open_top = !faces.mirror[2][1] && !faces.periodic[2],
+                               .to_quanta = level_.to_quanta(),
+                               .gone = level_.around.stream ? on.gone.data() : nullptr,
+                               .wide = on.wide.data(),
+                               .left = on.left.data()},
+                 all);
 }
 
 void LevelOnDevice::sort_particles() {
@@ -103,7 +100,7 @@ void LevelOnDevice::sort_particles() {
     const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
     level_.ledger.out += static_cast<std::int64_t>(all - n);
     on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
-    launch(*device_, "tw_reorder", cuda::Reorder{on.order.order(), on.p.all(), on.sorted.all()}, n);
+    cuda::launch(*device_, cuda::Reorder{on.order.order(), on.p.all(), on.sorted.all()}, n);
     on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
 }
 
@@ -111,21 +108,20 @@ void LevelOnDevice::find_images(double reach) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     const ImagesNear near{faces_of(level_.around.mirrors, level_.around.domain), reach};
-    launch(*device_, "tw_count_images", cuda::CountImages{on.p.view(), near, on.images.of(n)}, n);
+    cuda::launch(*device_, cuda::CountImages{on.p.view(), near, on.images.of(n)}, n);
     const auto count = static_cast<std::size_t>(on.images.add_up());
     on.found.resize(count), on.links.resize(count), on.wide.resize(count);
-    launch(*device_, "tw_find_images",
-           cuda::FindImages{.p = on.p.view(),
-                            .near = near,
-                            .maps = on.maps.data(),
-                            .to_quanta = level_.to_quanta(),
-                            .first = on.images.before(),
-                            .links = on.found.data(),
-                            .wide = on.wide.data()},
-           n);
+    cuda::launch(*device_,
+                 cuda::FindImages{.p = on.p.view(),
+                                  .near = near,
+                                  .maps = on.maps.data(),
+                                  .to_quanta = level_.to_quanta(),
+                                  .first = on.images.before(),
+                                  .links = on.found.data(),
+                                  .wide = on.wide.data()},
+                 n);
     on.image_order.sort(on.wide.data(), nullptr, nullptr, count);
-    launch(*device_, "tw_reorder_links", cuda::ReorderLinks{on.image_order.order(), on.found.data(), on.links.data()},
-           count);
+    cuda::launch(*device_, cuda::ReorderLinks{on.image_order.order(), on.found.data(), on.links.data()}, count);
 }
 
 void LevelOnDevice::find_walls(const Reaches& reaches) {
@@ -138,10 +134,10 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     on.wall_lists.build(level_.grid, level_.grid, on.place.data(), on.groups.column(), on.groups.groups(), dummies,
                         reaches / level_.quanta.size, &Group::wall_list);
     const std::size_t groups = on.groups.size();
-    launch(*device_, "tw_count_wall_loads",
-           cuda::CountWallLoads{on.groups.groups().data(), on.wall_lists.blocks(), on.body_end.data(),
-                                static_cast<int>(on.body_end.size()), on.loads.of(groups), on.at_wall.of(groups)},
-           groups);
+    cuda::launch(*device_,
+                 cuda::CountWallLoads{on.groups.groups().data(), on.wall_lists.blocks(), on.body_end.data(),
+                                      static_cast<int>(on.body_end.size()), on.loads.of(groups), on.at_wall.of(groups)},
+                 groups);
     const auto loads = static_cast<std::size_t>(on.loads.add_up()),
                at_walls = static_cast<std::size_t>(on.at_wall.add_up());
     on.wall_load.resize(loads);
@@ -157,7 +153,7 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
                                  .groups = on.groups.groups().data(),
                                  .list = on.groups_at_walls.data()};
     for (int a = 0; a < 3; ++a) list.origin[a] = level_.quanta.origin[a];
-    launch(*device_, "tw_list_groups_at_walls", list, groups);
+    cuda::launch(*device_, list, groups);
     std::vector<cuda::GroupAtWall> home(at_walls);
     on.groups_at_walls.give(home);
     level_.near.groups.clear(), centres_.clear();
@@ -171,13 +167,14 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
     const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
     on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls.move() ? n : 0);
     on.wall_triangle.resize(level_.walls.give_way() ? n : 0);
-    launch(
-        *device_, "tw_no_walls",
+    cuda::launch(
+        *device_,
         cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body), or_null(on.wall_triangle)},
         n);
     on.near_walls.resize(asked), on.walls_found.resize(asked);
-    launch(*device_, "tw_take_near_walls",
-           cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()}, asked);
+    cuda::launch(*device_,
+                 cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()},
+                 asked);
     std::vector<cuda::NearWall> near(asked);
     on.near_walls.give(near);
     std::vector<cuda::WallFound> found(asked);
@@ -191,10 +188,10 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
         found[k].body = static_cast<std::uint16_t>(nearest.body), found[k].triangle = nearest.triangle;
     });
     on.walls_found.take(found);
-    launch(*device_, "tw_put_walls",
-           cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body),
-                          or_null(on.wall_triangle)},
-           asked);
+    cuda::launch(*device_,
+                 cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(),
+                                or_null(on.wall_body), or_null(on.wall_triangle)},
+                 asked);
     std::optional<std::size_t> through;
     for (std::size_t k = 0; k < asked; ++k)
         if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup.dp && is_active(near[k].kind))

@@ -141,7 +141,7 @@ KindCounts LevelOnDevice::count(CountKinds kinds) {
     on.kinds.resize(1);
     on.kinds.set_zero();
     kinds.kind = on.p.kind.data(), kinds.x = on.p.x.data(), kinds.counts = on.kinds.data();
-    launch(*device_, "tw_count_kinds", kinds, on.p.size());
+    cuda::launch(*device_, kinds, on.p.size());
     return on.kinds.value(0);
 }
 
@@ -156,42 +156,42 @@ void LevelOnDevice::prune(double drift) {
     d.lists = on.lists.view();
     d.of = d.place = on.place.data();
     d.reach = level_.reach_among(drift) / level_.quanta.size;
-    sweep("tw_prune", d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
     if (level_.walls.empty()) return;
     d.reach = level_.reach_to_walls(drift) / level_.quanta.size;
     for (const Arrays::Part& part : on.parts) {
         d.lists = part.lists.view();
         d.of = on.wall_place.data() + part.first;
-        sweep("tw_prune", d, part.groups);
+        cuda::launch_pairs(*device_, d, part.groups);
     }
     d.of = on.place.data(), d.place = on.wall_place.data();
     d.lists = on.wall_lists.view();
     d.list = &Group::wall_list;
-    sweep("tw_prune", d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.groups.groups());
 }
 
 void LevelOnDevice::update_records() {
     Arrays& on = *on_;
     if (host_counts_) take_state();
-    launch(*device_, "tw_update_records",
-           UpdateRecords{on.p.view(), level_.to_quanta(), on.place.data(), on.motion.data()}, on.p.size());
+    cuda::launch(*device_, UpdateRecords{on.p.view(), level_.to_quanta(), on.place.data(), on.motion.data()},
+                 on.p.size());
     refresh_images(level_.time, false);
 }
 
 void LevelOnDevice::refresh_images(double t, bool with_stress) {
     GradientPressureRecord* const stress = with_stress ? on_->stress.data() : nullptr;
-    const auto refresh = [&](const char* kernel, const auto& force) {
-        launch(*device_, kernel,
-               cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta.size,
-                                   level_.ghosts.still(), force, on_->place.data(), on_->motion.data(), stress},
-               on_->links.size());
+    const auto refresh = [&](const auto& force) {
+        cuda::launch(*device_,
+                     cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta.size,
+                                         level_.ghosts.still(), force, on_->place.data(), on_->motion.data(), stress},
+                     on_->links.size());
     };
     const Vec3 g = level_.around.weight();
     if (level_.around.frame)
-        refresh("tw_refresh_images_in_frame", ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around.force(t))});
+        refresh(ForceHalfway{on_->p.view(), ForceOfFrame::of(level_.around.force(t))});
     else
-        refresh("tw_refresh_images", SameForce{{g.x(), g.y(), g.z()}});
+        refresh(SameForce{{g.x(), g.y(), g.z()}});
 }
 
 /// Of the device's arrays in place of the host's.
@@ -241,7 +241,7 @@ void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     d.stress = on.stress.data(), d.shift = on.shift.data(), d.rate = on.rate.data();
     d.other = other;
     d.carried = nullptr;
-    sweep("tw_first_sweep", d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
 }
 
@@ -249,9 +249,9 @@ void LevelOnDevice::mark_surface() {
     Arrays& on = *on_;
     const LacksSupport lacks_support{on.p.kind.data(), or_null(on.p.trend), on.shift.data(),
                                      level_.setup.surface_support};
-    launch(*device_, "tw_mark_surface",
-           cuda::MarkSurface{lacks_support, on.links.data(), on.p.size(), on.place.size(), on.surface.data()},
-           on.surface.size());
+    cuda::launch(*device_,
+                 cuda::MarkSurface{lacks_support, on.links.data(), on.p.size(), on.place.size(), on.surface.data()},
+                 on.surface.size());
 }
 
 void LevelOnDevice::compress(double compress, double drift) {
@@ -269,11 +269,11 @@ void LevelOnDevice::compress(double compress, double drift) {
     const StateEquation& state_equation = level_.setup.state_equation;
     const double c0 = state_equation.c0;
     if (state_equation.form == StateEquation::Form::linear)
-        launch(*device_, "tw_compress",
-               cuda::Compress{after, near_walls(), cuda::LinearPressure{static_cast<float>(c0 * c0)}}, n);
+        cuda::launch(*device_, cuda::Compress{after, near_walls(), cuda::LinearPressure{static_cast<float>(c0 * c0)}},
+                     n);
     else
-        launch(*device_, "tw_compress_by_state",
-               cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup.rho0}}, n);
+        cuda::launch(*device_,
+                     cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup.rho0}}, n);
     home_ = false;
 }
 
@@ -287,7 +287,7 @@ void LevelOnDevice::press_walls() {
         e.at = on.wall_place.data() + part.first;
         e.p = on.wall_p.data() + part.first;
         if (on.wall_acceleration.size() > 0) e.acceleration = on.wall_acceleration.data() + part.first;
-        sweep("tw_extrapolate", e, part.groups);
+        cuda::launch_pairs(*device_, e, part.groups);
     }
 }
 
@@ -297,7 +297,7 @@ void LevelOnDevice::second_pair_loop(double t) {
     d.water = water(), d.walls = walls();
     d.leaving = or_null(on.wall_leaving);
     d.shift = on.shift.data(), d.rate = on.rate.data(), d.wall_load = on.wall_load.data();
-    sweep("tw_second_sweep", d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
 }
 
@@ -317,8 +317,7 @@ std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     task.move.trend = or_null(on.p.trend);
     on.count.set_zero();
     MovedExtremes* of_blocks = on.extremes.data();
-    void* arguments[] = {&task, &of_blocks, &n};
-    device_->launch("tw_move", n, arguments);
+    cuda::launch_threads(*device_, n, task, of_blocks, n);
     home_ = false;
 
     Moved moved;
@@ -349,7 +348,7 @@ std::vector<std::int32_t> LevelOnDevice::bring_pressed_home(MayBePressed conditi
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     condition.wall = on.wall_normal.data(), condition.kind = on.p.kind.data();
-    launch(*device_, "tw_mark_pressed", cuda::MarkPressed{condition, on.following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkPressed{condition, on.following.of(n)}, n);
     std::vector<std::int32_t> which(list_marked());
     on.which.give(which);
     fetch(which);
@@ -359,7 +358,7 @@ std::vector<std::int32_t> LevelOnDevice::bring_pressed_home(MayBePressed conditi
 void LevelOnDevice::push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) {
     Arrays& on = *on_;
     on.pushed.take(which), on.pushes.take(accelerations);
-    launch(*device_, "tw_add_pushes", AddPushes{on.pushed.data(), on.pushes.data(), on.rate.data()}, which.size());
+    cuda::launch(*device_, AddPushes{on.pushed.data(), on.pushes.data(), on.rate.data()}, which.size());
     home_ = false;
 }
 
@@ -367,8 +366,8 @@ void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
     Arrays& on = *on_;
     on.fetched.take(which);
     on.held.resize(which.size());
-    launch(
-        *device_, "tw_take_held",
+    cuda::launch(
+        *device_,
         cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), or_null(on.wall_body),
                        or_null(on.wall_triangle), on.p.id.data(), on.p.kind.data(), on.fetched.data(), on.held.data()},
         which.size());
@@ -396,10 +395,10 @@ void LevelOnDevice::put_back(const std::vector<std::int32_t>& held_at_home) {
                         p.wall_triangle.empty() ? -1 : p.wall_triangle[i]});
     }
     on_->held.take(held);
-    launch(*device_, "tw_put_held",
-           cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data(),
-                         or_null(on_->wall_body), or_null(on_->wall_triangle)},
-           held.size());
+    cuda::launch(*device_,
+                 cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data(),
+                               or_null(on_->wall_body), or_null(on_->wall_triangle)},
+                 held.size());
 }
 
 // --- points -------------------------------------------------------------------------------------------------------------
@@ -421,7 +420,7 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     e.water = water();
     e.list = lists.view();
     e.at = places.data(), e.p = p.data(), e.support = support.data();
-    sweep("tw_extrapolate", e, groups);
+    cuda::launch_pairs(*device_, e, groups);
     p.give(std::span(to.p, n)), support.give(std::span(to.support, n));
 }
 

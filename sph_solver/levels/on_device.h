@@ -66,8 +66,6 @@ public:
 
 private:
     struct Arrays;
-    template <class View>
-    void sweep(const char* kernel, View view, const cuda::Array<Group>& groups);
     WaterView water() const;
     WallView walls() const;
     void take_state();
@@ -88,14 +86,14 @@ private:
     cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);
     std::vector<cuda::DeviceSource> note_giving(const Asking& asking);
     template <class Label>
-    void label_all(const char* known, const char* asked, const cuda::LabelKnown<Label>& task, const Zone& zone);
+    void label_all(const cuda::LabelKnown<Label>& task, const Zone& zone);
     std::size_t list_marked();
     std::vector<Located> located(const int* which, std::size_t n);
     std::vector<Located> marked();
     cuda::FoundAt ask_other(EdgeSteps& level, double ahead, const Asking& asking);
     std::size_t list_following(bool guards);
     template <class Task>
-    std::int64_t hand(const char* kernel, const Task& task, std::size_t n);
+    std::int64_t hand(const Task& task, std::size_t n);
     double fastest2_of_following();
 
     ParticleSystem& level_;

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/faces.h"
@@ -111,12 +112,9 @@ void run_choice(void** a) {
     for (std::size_t k = argument<std::size_t>(a, 4); k-- > 0;)
         if (condition(groups[k])) argument<Group*>(a, 2)[add_one(argument<int*>(a, 3))] = groups[k];
 }
-void count_kinds(void** a) {
-    const auto& task = argument<CountKinds>(a, 0);
-    for (std::size_t i = 0; i < argument<std::size_t>(a, 1); ++i) task(i, add_one);
-}
-void count_in_bins(void** a) {
-    const auto& task = argument<cuda::CountInBins>(a, 0);
+template <class Task>
+void run_counting(void** a) {
+    const auto& task = argument<Task>(a, 0);
     for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);  // from the end, as above
 }
 void search(void** a) {
@@ -130,30 +128,28 @@ void search(void** a) {
     }
 }
 void scan_blocks(void** a) {
-    const int n = argument<int>(a, 2);
-    for (int first = 0; first < n; first += cuda::scanned_by_block) {
+    const auto& scan = argument<cuda::ScanBlocks>(a, 0);
+    for (int first = 0; first < scan.n; first += cuda::scanned_by_block) {
         int sum = 0;
-        for (int k = first; k < std::min(n, first + cuda::scanned_by_block); ++k) sum += argument<const int*>(a, 0)[k];
-        argument<int*>(a, 1)[first / cuda::scanned_by_block] = sum;
+        for (int k = first; k < std::min(scan.n, first + cuda::scanned_by_block); ++k) sum += scan.of[k];
+        scan.sums[first / cuda::scanned_by_block] = sum;
     }
 }
 void scan_sums(void** a) {
-    int before = 0, n = argument<int>(a, 1);
-    for (int k = 0; k <= n; ++k) {
-        const int value = k < n ? argument<int*>(a, 0)[k] : 0;
-        argument<int*>(a, 0)[k] = before;
-        before += value;
-    }
+    const auto& scan = argument<cuda::ScanSums>(a, 0);
+    int before = 0;
+    for (int k = 0; k < scan.n; ++k) before += std::exchange(scan.sums[k], before);
+    scan.sums[scan.n] = before;
 }
 void scan_fill(void** a) {
-    const int n = argument<int>(a, 3);
+    const auto& scan = argument<cuda::ScanFill>(a, 0);
     int before = 0;
-    for (int k = 0; k < n; ++k) {
-        if (k % cuda::scanned_by_block == 0) before = argument<const int*>(a, 1)[k / cuda::scanned_by_block];
-        argument<int*>(a, 2)[k] = before;
-        before += argument<const int*>(a, 0)[k];
+    for (int k = 0; k < scan.n; ++k) {
+        if (k % cuda::scanned_by_block == 0) before = scan.sums[k / cuda::scanned_by_block];
+        scan.before[k] = before;
+        before += scan.of[k];
     }
-    argument<int*>(a, 2)[n] = before;
+    scan.before[scan.n] = before;
 }
 void move(void** a) {
     const auto& task = argument<cuda::MoveAll>(a, 0);
@@ -170,11 +166,6 @@ void move(void** a) {
     }
 }
 
-template <class Label>
-void label(void** a) {
-    const auto& task = argument<cuda::LabelKnown<Label>>(a, 0);
-    for (std::size_t i = argument<std::size_t>(a, 1); i-- > 0;) task(i, add_one);  // from the end, as above
-}
 template <class Task>
 void run_largest(void** a) {
     const auto& task = argument<Task>(a, 0);
@@ -191,23 +182,21 @@ const std::map<std::string, EmulatedKernel>& kernels() {
     static const std::map<std::string, EmulatedKernel> all{
 #define sweep(name, View) {#name, run_sweep<View>},
 #define task(name, Task) {#name, run_task<Task>},
+#define counting(name, Task) {#name, run_counting<Task>},
 #define largest(name, Task) {#name, run_largest<Task>},
 #define choose(name, Condition) {#name, run_choice<Condition>},
 #define sweep_of_chosen(name, View) {#name, run_sweep_of_chosen<View>},
         TW_DEVICE_SWEEPS(sweep) TW_EFFECT_SWEEPS(sweep) TW_PAIR_SWEEPS(sweep) TW_DEVICE_TASKS(task)
-            TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task) TW_STAGE_TASKS(task) TW_BODY_TASKS(task)
-                TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest) TW_DEVICE_CHOICES(choose)
+            TW_DEVICE_COUNTING_TASKS(counting) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task) TW_STAGE_TASKS(task)
+                TW_BODY_TASKS(task) TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest) TW_DEVICE_CHOICES(choose)
                     TW_EFFECT_CHOICES(choose) TW_EFFECT_SWEEPS_OF_CHOSEN(sweep_of_chosen)
 #undef sweep
 #undef task
+#undef counting
 #undef largest
 #undef choose
 #undef sweep_of_chosen
                         {"tw_move", move},
-        {"tw_count_kinds", count_kinds},
-        {"tw_label_coarse", label<LabelCoarse>},
-        {"tw_label_fine", label<LabelFine>},
-        {"tw_count_in_bins", count_in_bins},
         {"tw_search", search},
         {"tw_scan_blocks", scan_blocks},
         {"tw_scan_sums", scan_sums},
