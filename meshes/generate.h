@@ -19,7 +19,7 @@ struct HullShape {
     std::vector<HullParameter> parameters;
     Surface (*make)(const std::map<std::string, double>& values);
 };
-/// prismatic, seaplane, wigley, wedge, plate, box, cylinder, sphere, torpedo.
+/// prismatic, fridsma, seaplane, wigley, wedge, plate, box, cylinder, sphere, torpedo.
 const std::vector<HullShape>& hull_shapes();
 /// Throws InputError for an unknown shape or parameter (naming the known ones) or a value out of range.
 Surface make_hull(const std::string& shape, const std::map<std::string, double>& values);

@@ -18,9 +18,9 @@ std::string names(const List& list) {
 }  // namespace
 
 const std::vector<HullShape>& hull_shapes() {
-    static const std::vector<HullShape> shapes{prismatic_shape(), seaplane_shape(), wigley_shape(),
-                                               wedge_shape(),     plate_shape(),    box_shape(),
-                                               cylinder_shape(),  sphere_shape(),   torpedo_shape()};
+    static const std::vector<HullShape> shapes{prismatic_shape(), fridsma_shape(), seaplane_shape(), wigley_shape(),
+                                               wedge_shape(),     plate_shape(),   box_shape(),      cylinder_shape(),
+                                               sphere_shape(),    torpedo_shape()};
     return shapes;
 }
 

@@ -6,6 +6,7 @@ namespace tw {
 
 // One file per shape. Each returns its description with defaults and ranges; `make` gets every parameter.
 HullShape prismatic_shape();
+HullShape fridsma_shape();
 HullShape seaplane_shape();
 HullShape wigley_shape();
 HullShape wedge_shape();

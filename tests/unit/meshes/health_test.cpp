@@ -21,7 +21,7 @@ void expect_findings(const Surface& s, const std::string& expected, double parti
 }
 
 TEST(CheckSurface, FindsNothingOnASoundHull) {
-    for (const char* shape : {"prismatic", "seaplane", "wigley", "torpedo"}) expect_findings(make_hull(shape, {}), "");
+    for (const char* shape : {"prismatic", "fridsma", "seaplane", "wigley", "torpedo"}) expect_findings(make_hull(shape, {}), "");
 }
 
 TEST(CheckSurface, NamesAnEmptySurfaceAndNumbersThatAreNone) {

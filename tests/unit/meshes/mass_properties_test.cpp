@@ -51,6 +51,20 @@ TEST(MassProperties, OfAPrismAreSectionAreaTimesLength) {
     EXPECT_NEAR(m.volume, length * section, 1e-14);
 }
 
+TEST(MassProperties, OfFridsmasHullAreThoseOfItsPrismAndOfTheEllipsesOfItsBow) {
+    // Volume of the bow with x = b sin(theta): the integral of section areas b e (H - b/16 (1 - e)) - b^2/4 e^2 tan(beta),
+    // e = cos(theta), over b cos(theta) dtheta.
+    const double length = 2, beam = 0.4, deadrise = 0.3, height = 0.3, slope = std::tan(deadrise),
+                 pi = std::numbers::pi;
+    const Surface hull =
+        make_hull("fridsma", {{"length", length}, {"beam", beam}, {"deadrise", deadrise}, {"height", height}});
+    const double prism = (length - beam) * (beam * height - beam * beam / 4 * slope);
+    const double bow = beam * beam * ((height - beam / 16) * pi / 4 + beam / 24 - beam * slope / 6);
+    EXPECT_NEAR(mass_properties(hull).volume / (prism + bow), 1, 2e-4);
+    EXPECT_LT((hull.bounds().size() - Vec3(length, beam, height)).norm(), 1e-12);
+    EXPECT_THROW(make_hull("fridsma", {{"length", 0.2}, {"beam", 0.2}}), InputError);
+}
+
 TEST(MassProperties, OfTheWigleyHullBelowItsWaterlineApproachFourNinthsOfItsBox) {
     const double length = 2, beam = 0.3, depth = 0.2;
     const auto error = [&](double stations) {
