@@ -18,8 +18,8 @@ build_packages=(
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
 openfoam_packages=(openfoam dpkg-dev flex)
 # A Slurm on one host, for the tests of studies on a cluster; without it they are skipped. Clang with its libFuzzer and
-# its OpenMP, for tools/fuzz.sh.
-test_packages=(slurm-wlm munge clang libclang-rt-dev libomp-dev)
+# its OpenMP, for tools/fuzz.sh. h5py, for the tests of the Python package.
+test_packages=(slurm-wlm munge clang libclang-rt-dev libomp-dev python3-h5py)
 # ---------------------------------------------------------------------------------------------------------------------
 
 usage() {
