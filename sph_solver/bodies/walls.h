@@ -7,6 +7,7 @@
 #include "sph_solver/bodies/load.h"
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/domain/surroundings.h"
+#include "sph_solver/loops/nearest_wall.h"
 #include "sph_solver/neighbours/columns.h"
 #include "sph_solver/parallel/halo.h"
 
@@ -32,7 +33,7 @@ public:
     const WallAcceleration* accelerations() const { return acceleration_.empty() ? nullptr : acceleration_.data(); }
     /// The dummies of body b are those from body_end()[b - 1] (0) up to body_end()[b].
     const std::vector<std::int32_t>& body_end() const { return body_end_; }
-    Lists lists() const { return lists_.view(); }  ///< of the level's groups among the dummies
+    Lists lists() const { return lists_.view(); }                     ///< of the level's groups among the dummies
     const NeighbourLists& neighbour_lists() const { return lists_; }  ///< the same
 
     /// The dummies of one body, sorted by column. Groups and lists count from `first`.
@@ -80,12 +81,7 @@ public:
     /// Leaves in those lists who is within `reach` [quanta] now.
     void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
 
-    struct Nearest {
-        WallNormalRecord normal;
-        LeavingRecord leaving{};     ///< the water's way past the wall, beyond an edge
-        std::size_t body = 0;        ///< meaningful where `normal` is not `no_wall`
-        std::int32_t triangle = -1;  ///< of the body's surface; likewise
-    };
+    using Nearest = NearestWall;
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
 

@@ -1,9 +1,9 @@
 #pragma once
 // What is done where two levels of particle size meet: plain data for kernels, as in tasks.h.
 #include "sph_solver/device/launch.h"
+#include "sph_solver/fields/field_list.h"
 #include "sph_solver/loops/at_edge.h"
 #include "sph_solver/loops/edge_labels.h"
-#include "sph_solver/loops/moving.h"
 #include "sph_solver/neighbours/wide_place.h"
 
 namespace tw::cuda {
@@ -183,7 +183,7 @@ struct TakeLocated {
 /// Puts them behind the n that are there.
 struct AddChildren {
     const Child* children;
-    MovingView on;
+    FieldsView on;
     std::size_t n;
 
     void operator()(std::size_t k) const {

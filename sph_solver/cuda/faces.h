@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sph_solver/fields/field_list.h"
 #include "sph_solver/loops/cross.h"
-#include "sph_solver/loops/moving.h"
 #include "sph_solver/neighbours/column_grid.h"
 
 namespace tw::cuda {
@@ -24,7 +24,7 @@ struct Cross {
 };
 /// The particle that takes the place of one that has entered, a buffer's length upstream.
 struct Enter {
-    MovingView on;
+    FieldsView on;
     const int *entered, *before;  ///< how many of those before have entered
     int* gone;
     std::size_t n;

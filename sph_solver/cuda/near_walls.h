@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "sph_solver/cuda/sorting.h"
+#include "sph_solver/loops/nearest_wall.h"
 #include "sph_solver/loops/pressed.h"
 #include "sph_solver/sweeps/records.h"
 
@@ -86,38 +87,22 @@ struct TakeNearWalls {
     }
 };
 struct NoWalls {
-    WallNormalRecord* wall;
-    LeavingRecord* leaving;
-    std::uint16_t* body;     ///< null: none moves
-    std::int32_t* triangle;  ///< null: none gives way
+    FieldsView p;
 
-    void operator()(std::size_t i) const {
-        wall[i] = no_wall, leaving[i] = {0, 0, 0, 0};
-        if (body) body[i] = 0;
-        if (triangle) triangle[i] = -1;
-    }
+    void operator()(std::size_t i) const { NearestWall().note(p, i); }
 };
 /// What the host has found of them.
 struct WallFound {
     std::int32_t index;
-    WallNormalRecord wall;
-    LeavingRecord leaving;
-    std::int32_t triangle;
-    std::uint16_t body;
+    NearestWall wall;
 };
 struct PutWalls {
     const WallFound* found;
-    WallNormalRecord* wall;
-    LeavingRecord* leaving;
-    std::uint16_t* body;     ///< null: none moves
-    std::int32_t* triangle;  ///< null: none gives way
+    FieldsView p;
 
     void operator()(std::size_t k) const {
         const WallFound& f = found[k];
-        if (f.index < 0) return;
-        wall[f.index] = f.wall, leaving[f.index] = f.leaving;
-        if (body) body[f.index] = f.body;
-        if (triangle) triangle[f.index] = f.triangle;
+        if (f.index >= 0) f.wall.note(p, static_cast<std::size_t>(f.index));
     }
 };
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sph_solver/fields/field_list.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/loops/moving.h"
 #include "sph_solver/neighbours/column_grid.h"
 #include "sph_solver/sweeps/groups.h"
 
@@ -79,7 +79,7 @@ struct RankInBins {
 /// What stays with the particles, in their new order.
 struct Reorder {
     const int* order;
-    MovingView from, to;
+    FieldsView from, to;
 
     void operator()(std::size_t k) const { to.copy(k, from, static_cast<std::size_t>(order[k])); }
 };

@@ -6,6 +6,7 @@
 
 #include "sph_solver/device/launch.h"
 #include "sph_solver/equations/state_equation.h"
+#include "sph_solver/fields/field_list.h"
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/loops/after_first_sweep.h"
 #include "sph_solver/loops/move.h"
@@ -128,56 +129,43 @@ inline void join(MovedExtremes& a, const MovedExtremes& b) {
     most(a.shift2, b.shift2), most(a.acceleration2, b.acceleration2);
 }
 
-/// What one particle is given that the host had to look after.
-struct HeldParticle {
-    std::int64_t index, id;
-    double x, y, z;
-    float u, v, w, drho;
-    WallNormalRecord wall;
-    LeavingRecord leaving;
-    Kind kind;
-    std::uint16_t body;
-    std::int32_t triangle;
+/// One particle that the host has to look after: its state, and the wall near it.
+struct HeldParticle : FieldsAs<OneOf> {
+    std::int64_t index = 0;
+
+    /// Whether `about` is of what the host may change.
+    template <class About>
+    static constexpr bool has(About) {
+        return About::moves || About::of_walls;
+    }
 };
 /// Takes such particles out of the arrays, and puts them back.
 struct TakeHeld {
-    StateView p;
-    const WallNormalRecord* wall;  ///< null: there are none
-    const LeavingRecord* leaving;
-    const std::uint16_t* body;     ///< null: none moves
-    const std::int32_t* triangle;  ///< null: none gives way
-    const std::int64_t* id;
-    const Kind* kind;
+    FieldsView p;
     const std::int32_t* which;
     HeldParticle* to;
 
     void operator()(std::size_t k) const {
         const std::int64_t i = which[k];
-        HeldParticle& h = to[k];
-        h.index = i, h.id = id[i], h.kind = kind[i];
-        h.x = p.x[i], h.y = p.y[i], h.z = p.z[i];
-        h.u = p.u[i], h.v = p.v[i], h.w = p.w[i], h.drho = p.drho[i];
-        if (wall) h.wall = wall[i], h.leaving = leaving[i];
-        if (body) h.body = body[i];
-        if (triangle) h.triangle = triangle[i];
+        to[k].index = i;
+        FieldsView::each(p, to[k], [i](const auto* field, auto& held, auto about) {
+            if constexpr (HeldParticle::has(decltype(about){})) {
+                if (field) held = field[i];
+            }
+        });
     }
 };
 struct PutHeld {
     const HeldParticle* from;
-    StateView p;
-    WallNormalRecord* wall;
-    LeavingRecord* leaving;
-    std::uint16_t* body;     ///< null: none moves
-    std::int32_t* triangle;  ///< null: none gives way
+    FieldsView p;
 
     void operator()(std::size_t k) const {
-        const HeldParticle& h = from[k];
-        const std::int64_t i = h.index;
-        p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
-        p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
-        wall[i] = h.wall, leaving[i] = h.leaving;
-        if (body) body[i] = h.body;
-        if (triangle) triangle[i] = h.triangle;
+        const std::int64_t i = from[k].index;
+        FieldsView::each(p, from[k], [i](auto* field, const auto& held, auto about) {
+            if constexpr (HeldParticle::has(decltype(about){})) {
+                if (field) field[i] = held;
+            }
+        });
     }
 };
 

@@ -39,7 +39,7 @@ struct StepView {
     std::size_t n, images;  ///< particles, and their mirror images
     StateView p;            ///< to be read
     const Kind* kind;
-    Aired* aired;  ///< With::ventilation
+    FieldsView fields;  ///< all quantities of the particles (fields/field_list.h); null: they have none
     const ShiftSupportRecord* shift;
     WaterView water;
     WallView dummies;                ///< of the walls; no place: there are none

@@ -29,7 +29,7 @@ public:
 
 private:
     AirAtParticles rules(const StepView& step) const {
-        return {.aired = step.aired,
+        return {.aired = step.fields.aired,
                 .wall = step.dummies.place ? step.dummies.normal : nullptr,
                 .drho = step.p.drho,
                 .surface = step.water.surface,

@@ -5,7 +5,6 @@
 #include "sph_solver/cuda/launch.h"
 #include "sph_solver/levels/lists_on_device.h"
 #include "sph_solver/levels/on_device.h"
-#include "sph_solver/loops/moving.h"
 
 namespace tw {
 
@@ -16,40 +15,30 @@ T* or_null(const cuda::Array<T>& array) {
 
 struct LevelOnDevice::Arrays {
     cuda::Device& device;
-    /// What stays with a particle.
-    struct State : Moving<cuda::Array> {
-        explicit State(cuda::Device& d) {
+    /// The particles' quantities (fields/field_list.h).
+    struct Fields : FieldsAs<cuda::Array> {
+        explicit Fields(cuda::Device& d) {
             each([&d](auto& field) { field.live_on(d); });
-        }
-        /// Calls `f(field, other)` for each and what `others` has of it.
-        template <class Others, class Function>
-        void each_with(Others& others, const Function& f) {
-            Moving::each(*this, others, f);
         }
         template <class Function>
         void each(const Function& f) {
-            each_with(*this, [&f](auto& field, auto&) { f(field); });
+            FieldsAs::each(*this, *this, [&f](auto& field, auto&, auto) { f(field); });
         }
-        MovingView all() const {
-            MovingView view;
-            Moving::each(*this, view, [](const auto& field, auto& pointer) { pointer = or_null(field); });
+        /// Calls `f(field, other)` for each of those that move with particles, and what `others` has of it.
+        template <class Others, class Function>
+        void each_moving_with(Others& others, const Function& f) {
+            FieldsAs::each_moving(*this, others, f);
+        }
+        FieldsView all() const {
+            FieldsView view;
+            FieldsAs::each(*this, view, [](const auto& field, auto& pointer, auto) { pointer = or_null(field); });
             return view;
         }
         StateView view() const { return {x.data(), y.data(), z.data(), u.data(), v.data(), w.data(), drho.data()}; }
         std::size_t size() const { return x.size(); }
     };
-    State p{device}, sorted{device};
-    cuda::Array<PlaceRecord> place{device};
-    cuda::Array<VelocityDensityRecord> motion{device};
-    cuda::Array<GradientPressureRecord> stress{device};
-    cuda::Array<ShiftSupportRecord> shift{device};
-    cuda::Array<RateRecord> rate{device};
-    cuda::Array<float> density_rate{device};  ///< empty: no coarser level
+    Fields p{device}, sorted{device};  ///< of `sorted` those that move
     cuda::Array<std::uint32_t> surface{device};
-    cuda::Array<WallNormalRecord> wall_normal{device};
-    cuda::Array<LeavingRecord> wall_leaving{device};
-    cuda::Array<std::uint16_t> wall_body{device};     ///< empty: no body moves
-    cuda::Array<std::int32_t> wall_triangle{device};  ///< empty: no body gives way
 
     // who stands where
     cuda::Bins bins;
@@ -141,8 +130,7 @@ struct LevelOnDevice::Arrays {
         double sum = 0;
         const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
         p.each(add), sorted.each(add);
-        add(place, motion, stress, shift, rate, density_rate, surface, wall_normal, wall_leaving, wall_body,
-            wall_triangle, skin_motions, pushed, pushes, asking_others, near_others, lists_of_others, wall_velocity,
+        add(surface, skin_motions, pushed, pushes, asking_others, near_others, lists_of_others, wall_velocity,
             wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found, links, maps,
             groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
             groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,

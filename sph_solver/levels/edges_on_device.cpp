@@ -10,11 +10,8 @@ namespace tw {
 /// Copies what counts of the level's particles and images to arrays of its own, where neighbours can be looked for.
 std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking) {
     Arrays& on = *on_;
-    const std::size_t n = on.p.size(), all = on.place.size();
-    TakeGiving take = level_.giving(asking);
-    take.place = on.place.data(), take.motion = on.motion.data(), take.shift = on.shift.data();
-    take.density_rate = or_null(on.density_rate), take.kind = on.p.kind.data();
-    take.links = on.links.data(), take.n = n;
+    const std::size_t n = on.p.size(), all = on.p.place.size();
+    TakeGiving take = level_.giving(on.p.all(), on.links.data(), n, asking);
     cuda::launch(*device_, cuda::MarkGiving{take, on.gives.of(all)}, all);
     const auto giving = static_cast<std::size_t>(on.gives.add_up());
     on.giving_place.resize(giving), on.giving_motion.resize(giving);
@@ -171,9 +168,10 @@ std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
     cuda::launch(*device_, cuda::MarkStaying{on.gone_at_edge.data(), on.following.of(n)}, n);
     const std::size_t staying = list_marked();
     if (staying == n) return 0;
-    on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? staying : 0); });
+    on.p.each_moving_with(on.sorted,
+                          [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? staying : 0); });
     cuda::launch(*device_, cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, staying);
-    on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+    on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
     level_.particles.resize(staying);
     on.gone_at_edge.resize(staying);
     on.gone_at_edge.set_zero();
@@ -227,7 +225,7 @@ void LevelOnDevice::add(const std::vector<Child>& children) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     level_.particles.resize(n + children.size());
-    on.p.each_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
+    on.p.each_moving_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
     on.children.take(children);
     cuda::launch(*device_, cuda::AddChildren{on.children.data(), on.p.all(), n}, children.size());
     home_ = false;
@@ -280,7 +278,7 @@ Followed LevelOnDevice::follow_finer(EdgeSteps& finer, const Asking& asking, Fol
     const std::size_t n = list_following(false);
     if (n == 0) return {};
     follow.p = on.p.view(), follow.kind = on.p.kind.data();
-    follow.shift = on.shift.data(), follow.compression = on.p.compression.data();
+    follow.shift = on.p.shift_support.data(), follow.compression = on.p.compression.data();
     const cuda::FoundAt found = ask_other(finer, 0, asking);
     return {0, hand(cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n)};
 }

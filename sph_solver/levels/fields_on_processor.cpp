@@ -74,7 +74,7 @@ void LevelOnProcessor::interpolate_here(FieldsAt& at) {
     const Reaches reaches = level_.reaches_of_interpolation();
     const std::vector<Span> asked =
         within_reach(sorted, level_.grid, (reaches.far + reaches.stale) / level_.quanta.size);
-    TakeGiving giving = level_.giving(at);
+    TakeGiving giving = level_.giving(level_.particles.view(), level_.ghosts.links().data(), own, at);
     // of those that count and may be asked for, in the order of the level's particles and then of their images
     std::vector<PlaceRecord> place;
     std::vector<VelocityDensityRecord> motion;

@@ -98,7 +98,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     const Walls::Nearest found =
         system_.walls.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), system_.setup.dp);
     if (found.normal.distance < no_wall.distance) {
-        system_.note_wall(i, found);
+        found.note(p.view(), i);
     } else {
         r.distance = static_cast<float>(system_.setup.dp);
     }

@@ -12,18 +12,19 @@ void LevelOnDevice::make_lists(double drift) {
     sort_particles();
     find_images(std::max(among.far, to_walls.far));
     Particles& p = level_.particles;
-    const std::size_t n = on.p.size(), all = n + on.links.size();
+    const std::size_t n = on.p.size();
     p.resize(n);
     p.make_room(on.links.size());
-    on.place.resize(all), on.motion.resize(all), on.stress.resize(all);
-    on.shift.resize(n), on.rate.resize(n), on.surface.resize(p.surface.size());
-    on.density_rate.resize(p.density_rate.size());
+    FieldsView::each(on.p, p, [](auto& field, const auto& at_home, auto about) {
+        if constexpr (!decltype(about)::moves) field.resize(at_home.size());
+    });
+    on.surface.resize(p.surface.size());
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
     update_records();
-    on.groups.make(level_.grid, on.order, on.place.data());
+    on.groups.make(level_.grid, on.order, on.p.place.data());
     const std::vector<cuda::DeviceSource> water = sources();
-    on.lists.build(level_.grid, level_.grid, on.place.data(), on.groups.column(), on.groups.groups(), water,
+    on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), water,
                    among / level_.quanta.size);
     if (!level_.walls.empty()) {
         level_.walls.sort(level_.grid, level_.quanta, cuda::lanes_of_group);
@@ -40,15 +41,15 @@ void LevelOnDevice::make_lists(double drift) {
 std::vector<cuda::DeviceSource> LevelOnDevice::sources() const {
     const Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    return {on.order.source(on.place.data(), 0),
-            on.image_order.source(on.place.data() + n, static_cast<std::int32_t>(n))};
+    return {on.order.source(on.p.place.data(), 0),
+            on.image_order.source(on.p.place.data() + n, static_cast<std::int32_t>(n))};
 }
 
 StepMaker::Near LevelOnDevice::find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists&) {
     Arrays& on = *on_;
     const auto& of = static_cast<LevelOnDevice&>(other);
     on.asking_others.copy(on.groups.groups());
-    on.lists_of_others.build(of.level_.grid, level_.grid, on.place.data(), on.groups.column(), on.asking_others,
+    on.lists_of_others.build(of.level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.asking_others,
                              of.sources(), reaches / level_.quanta.size);
     const std::size_t n = on.asking_others.size();
     on.near_others.resize(n);
@@ -73,7 +74,7 @@ void LevelOnDevice::cross_faces() {
         cuda::launch(*device_, cuda::Cross{cross, on.p.x.data(), on.p.kind.data(), entered, on.gone.data()}, n);
         const int count = on.entered.add_up();
         all += static_cast<std::size_t>(count);
-        on.p.each([&](auto& field) {
+        on.p.each_moving_with(on.p, [&](auto& field, auto&) {
             if (field.size() > 0) field.grow(all);
         });
         on.gone.grow(all);
@@ -99,9 +100,9 @@ void LevelOnDevice::sort_particles() {
     Arrays& on = *on_;
     const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
     level_.ledger.out += static_cast<std::int64_t>(all - n);
-    on.p.each_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
+    on.p.each_moving_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
     cuda::launch(*device_, cuda::Reorder{on.order.order(), on.p.all(), on.sorted.all()}, n);
-    on.p.each_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+    on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
 }
 
 void LevelOnDevice::find_images(double reach) {
@@ -131,7 +132,7 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     for (const Arrays::Part& part : on.parts)
         dummies.push_back(
             {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
-    on.wall_lists.build(level_.grid, level_.grid, on.place.data(), on.groups.column(), on.groups.groups(), dummies,
+    on.wall_lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), dummies,
                         reaches / level_.quanta.size, &Group::wall_list);
     const std::size_t groups = on.groups.size();
     cuda::launch(*device_,
@@ -164,13 +165,8 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
 /// The host finds the wall nearest to each particle of the groups at walls.
 void LevelOnDevice::ask_walls(std::size_t groups) {
     Arrays& on = *on_;
-    const std::size_t n = on.p.size(), asked = groups * cuda::lanes_of_group;
-    on.wall_normal.resize(n), on.wall_leaving.resize(n), on.wall_body.resize(level_.walls.move() ? n : 0);
-    on.wall_triangle.resize(level_.walls.give_way() ? n : 0);
-    cuda::launch(
-        *device_,
-        cuda::NoWalls{on.wall_normal.data(), on.wall_leaving.data(), or_null(on.wall_body), or_null(on.wall_triangle)},
-        n);
+    const std::size_t asked = groups * cuda::lanes_of_group;
+    cuda::launch(*device_, cuda::NoWalls{on.p.all()}, on.p.size());
     on.near_walls.resize(asked), on.walls_found.resize(asked);
     cuda::launch(*device_,
                  cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()},
@@ -182,19 +178,13 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
     for_particles(asked, [&](std::size_t k) {
         const cuda::NearWall& q = near[k];
         found[k].index = q.index;
-        if (q.index < 0) return;
-        const Walls::Nearest nearest = level_.walls.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
-        found[k].wall = nearest.normal, found[k].leaving = nearest.leaving;
-        found[k].body = static_cast<std::uint16_t>(nearest.body), found[k].triangle = nearest.triangle;
+        if (q.index >= 0) found[k].wall = level_.walls.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
     });
     on.walls_found.take(found);
-    cuda::launch(*device_,
-                 cuda::PutWalls{on.walls_found.data(), on.wall_normal.data(), on.wall_leaving.data(),
-                                or_null(on.wall_body), or_null(on.wall_triangle)},
-                 asked);
+    cuda::launch(*device_, cuda::PutWalls{on.walls_found.data(), on.p.all()}, asked);
     std::optional<std::size_t> through;
     for (std::size_t k = 0; k < asked; ++k)
-        if (found[k].index >= 0 && double(found[k].wall.distance) < -level_.setup.dp && is_active(near[k].kind))
+        if (found[k].index >= 0 && double(found[k].wall.normal.distance) < -level_.setup.dp && is_active(near[k].kind))
             through = static_cast<std::size_t>(found[k].index);
     if (!through) return;
     home_ = order_is_home_ = false;

@@ -89,19 +89,20 @@ void LevelOnProcessor::make_lists(double drift) {
 
 void LevelOnProcessor::find_normals() {
     const double reach = level_.reach_of_normals();
-    const Particles& p = level_.particles;
+    Particles& p = level_.particles;
+    const FieldsView all = p.view();
     for_groups(level_.near.groups, [&](const Group& g) {
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
-            Walls::Nearest near{no_wall};
+            NearestWall near;
             if (g.wall_list.size > 0)
                 near = level_.walls.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), reach);
-            level_.note_wall(i, near);
+            near.note(all, i);
         }
     });
-    share_.halo().tell(level_.particles.wall_normal.data(), level_.particles.wall_leaving.data());
-    if (level_.walls.move()) share_.halo().tell(level_.particles.wall_body.data());
-    if (level_.walls.give_way()) share_.halo().tell(level_.particles.wall_triangle.data());
+    share_.halo().tell(all.wall_normal, all.wall_leaving);
+    if (level_.walls.move()) share_.halo().tell(all.wall_body);
+    if (level_.walls.give_way()) share_.halo().tell(all.wall_triangle);
     std::optional<std::size_t> through;
     for (std::size_t i = p.size(); i-- > 0 && !through;)
         if (double(p.wall_normal[i].distance) < -level_.setup.dp && is_active(p.kind[i])) through = i;

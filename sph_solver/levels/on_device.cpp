@@ -66,10 +66,10 @@ void LevelOnDevice::take_dummies() {
 
 NearWalls LevelOnDevice::near_walls() {
     on_->motions.take(level_.walls.motions());
-    return {.normal = or_null(on_->wall_normal),
+    return {.normal = or_null(on_->p.wall_normal),
             .motions = or_null(on_->motions),
-            .body = or_null(on_->wall_body),
-            .triangle = or_null(on_->wall_triangle),
+            .body = or_null(on_->p.wall_body),
+            .triangle = or_null(on_->p.wall_triangle),
             .skins = take_skins()};
 }
 
@@ -95,7 +95,7 @@ LevelOnDevice::~LevelOnDevice() = default;
 // --- from and to the host ---------------------------------------------------------------------------------------------
 
 void LevelOnDevice::take_state() {
-    on_->p.each_with(level_.particles, [](auto& on, const auto& field) { on.take(field); });
+    on_->p.each_moving_with(level_.particles, [](auto& on, const auto& field) { on.take(field); });
     host_counts_ = false;
 }
 
@@ -103,12 +103,8 @@ void LevelOnDevice::bring_all_home() {
     if (home_ || host_counts_) return;
     Particles& p = level_.particles;
     Arrays& on = *on_;
-    on.p.each_with(p, [](const auto& field, auto& to) { field.give(to); });
-    on.place.give(p.place), on.motion.give(p.velocity_density), on.stress.give(p.gradient_pressure);
-    on.shift.give(p.shift_support), on.rate.give(p.rate), on.surface.give(p.surface);
-    on.density_rate.give(p.density_rate);
-    on.wall_normal.give(p.wall_normal), on.wall_leaving.give(p.wall_leaving), on.wall_body.give(p.wall_body);
-    on.wall_triangle.give(p.wall_triangle);
+    FieldsView::each(on.p, p, [](const auto& field, auto& to, auto) { field.give(to); });
+    on.surface.give(p.surface);
     on.wall_p.give(level_.walls.pressures());
     if (!order_is_home_) {
         on.order.give_start(level_.near.start);
@@ -124,7 +120,7 @@ void LevelOnDevice::bring_all_home() {
 void LevelOnDevice::bring_motion_home() {
     if (home_ || host_counts_) return;
     Particles& p = level_.particles;
-    const Arrays::State& on = on_->p;
+    const Arrays::Fields& on = on_->p;
     on.x.give(p.x), on.y.give(p.y), on.z.give(p.z);
     on.u.give(p.u), on.v.give(p.v), on.w.give(p.w);
     on.kind.give(p.kind);
@@ -154,7 +150,7 @@ void LevelOnDevice::prune(double drift) {
     take_dummies();
     PruneData d;
     d.lists = on.lists.view();
-    d.of = d.place = on.place.data();
+    d.of = d.place = on.p.place.data();
     d.reach = level_.reach_among(drift) / level_.quanta.size;
     cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
@@ -165,7 +161,7 @@ void LevelOnDevice::prune(double drift) {
         d.of = on.wall_place.data() + part.first;
         cuda::launch_pairs(*device_, d, part.groups);
     }
-    d.of = on.place.data(), d.place = on.wall_place.data();
+    d.of = on.p.place.data(), d.place = on.wall_place.data();
     d.lists = on.wall_lists.view();
     d.list = &Group::wall_list;
     cuda::launch_pairs(*device_, d, on.groups.groups());
@@ -174,17 +170,19 @@ void LevelOnDevice::prune(double drift) {
 void LevelOnDevice::update_records() {
     Arrays& on = *on_;
     if (host_counts_) take_state();
-    cuda::launch(*device_, UpdateRecords{on.p.view(), level_.to_quanta(), on.place.data(), on.motion.data()},
+    cuda::launch(*device_,
+                 UpdateRecords{on.p.view(), level_.to_quanta(), on.p.place.data(), on.p.velocity_density.data()},
                  on.p.size());
     refresh_images(level_.time, false);
 }
 
 void LevelOnDevice::refresh_images(double t, bool with_stress) {
-    GradientPressureRecord* const stress = with_stress ? on_->stress.data() : nullptr;
+    GradientPressureRecord* const stress = with_stress ? on_->p.gradient_pressure.data() : nullptr;
     const auto refresh = [&](const auto& force) {
         cuda::launch(*device_,
                      cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta.size,
-                                         level_.ghosts.still(), force, on_->place.data(), on_->motion.data(), stress},
+                                         level_.ghosts.still(), force, on_->p.place.data(),
+                                         on_->p.velocity_density.data(), stress},
                      on_->links.size());
     };
     const Vec3 g = level_.around.weight();
@@ -198,7 +196,8 @@ void LevelOnDevice::refresh_images(double t, bool with_stress) {
 WaterView LevelOnDevice::water() const {
     WaterView w = level_.water_view();
     w.list = on_->lists.view();
-    w.place = on_->place.data(), w.motion = on_->motion.data(), w.stress = on_->stress.data();
+    w.place = on_->p.place.data(), w.motion = on_->p.velocity_density.data(),
+    w.stress = on_->p.gradient_pressure.data();
     w.surface = on_->surface.data();
     if (w.kind) w.kind = on_->p.kind.data();
     return w;
@@ -209,7 +208,7 @@ WallView LevelOnDevice::walls() const {
     w.place = or_null(on_->wall_place), w.p = on_->wall_p.data();
     w.velocity = or_null(on_->wall_velocity);
     w.body_end = on_->body_end.data();
-    w.normal = or_null(on_->wall_normal);
+    w.normal = or_null(on_->p.wall_normal);
     return w;
 }
 
@@ -219,9 +218,9 @@ StepView LevelOnDevice::step_view(double t) {
     StepView view = level_.step_view(t, share_.halo());
     view.n = on.p.size(), view.images = on.links.size();
     view.p = on.p.view(), view.kind = on.p.kind.data();
-    view.aired = or_null(on.p.aired), view.shift = on.shift.data();
+    view.fields = on.p.all(), view.shift = on.p.shift_support.data();
     view.water = water(), view.dummies = walls();
-    view.stress = on.stress.data(), view.rate = on.rate.data();
+    view.stress = on.p.gradient_pressure.data(), view.rate = on.p.rate.data();
     view.groups = {on.groups.groups().data(), on.groups.size()};
     view.bodies.clear();
     for (const Arrays::Part& part : on.parts)
@@ -238,7 +237,7 @@ void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     if (host_counts_) take_state();
     FirstSweepData d = level_.first_sweep_data();
     d.water = water(), d.walls = walls();
-    d.stress = on.stress.data(), d.shift = on.shift.data(), d.rate = on.rate.data();
+    d.stress = on.p.gradient_pressure.data(), d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data();
     d.other = other;
     d.carried = nullptr;
     cuda::launch_pairs(*device_, d, on.groups.groups());
@@ -247,25 +246,17 @@ void LevelOnDevice::first_pair_loop(const OtherSums* other) {
 
 void LevelOnDevice::mark_surface() {
     Arrays& on = *on_;
-    const LacksSupport lacks_support{on.p.kind.data(), or_null(on.p.trend), on.shift.data(),
-                                     level_.setup.surface_support};
     cuda::launch(*device_,
-                 cuda::MarkSurface{lacks_support, on.links.data(), on.p.size(), on.place.size(), on.surface.data()},
+                 cuda::MarkSurface{level_.lacks_support(on.p.all()), on.links.data(), on.p.size(), on.p.place.size(),
+                                   on.surface.data()},
                  on.surface.size());
 }
 
 void LevelOnDevice::compress(double compress, double drift) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    AfterFirstSweep after = level_.after_first_sweep(compress, drift);
-    after.p = on.p.view();
-    after.kind = on.p.kind.data(), after.rate = on.rate.data(), after.shift = on.shift.data();
-    after.aired = or_null(on.p.aired);
-    after.place = on.place.data(), after.motion = on.motion.data(), after.stress = on.stress.data();
-    after.wall = or_null(on.wall_normal);
-    after.trend = or_null(on.p.trend), after.compression = or_null(on.p.compression);
-    after.density_rate = or_null(on.density_rate);
-    on.density_rate.set_zero();
+    const AfterFirstSweep after = level_.after_first_sweep(on.p.all(), compress, drift);
+    on.p.density_rate.set_zero();
     const StateEquation& state_equation = level_.setup.state_equation;
     const double c0 = state_equation.c0;
     if (state_equation.form == StateEquation::Form::linear)
@@ -295,8 +286,8 @@ void LevelOnDevice::second_pair_loop(double t) {
     Arrays& on = *on_;
     SecondSweepData d = level_.second_sweep_data(t);
     d.water = water(), d.walls = walls();
-    d.leaving = or_null(on.wall_leaving);
-    d.shift = on.shift.data(), d.rate = on.rate.data(), d.wall_load = on.wall_load.data();
+    d.leaving = or_null(on.p.wall_leaving);
+    d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data(), d.wall_load = on.wall_load.data();
     cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
 }
@@ -307,13 +298,14 @@ std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     Arrays& on = *on_;
     std::size_t n = on.p.size();
     cuda::MoveAll task{.move = of_host,
-                       .wall = or_null(on.wall_normal),
+                       .wall = or_null(on.p.wall_normal),
                        .walls = near_walls(),
                        .held_from = Move::held_at_wall_over_dp * level_.setup.dp,
                        .too_near = on.too_near.data(),
                        .count = on.count.data()};
     task.move.p = on.p.view();
-    task.move.kind = on.p.kind.data(), task.move.rate = on.rate.data(), task.move.shift_support = on.shift.data();
+    task.move.kind = on.p.kind.data(), task.move.rate = on.p.rate.data(),
+    task.move.shift_support = on.p.shift_support.data();
     task.move.trend = or_null(on.p.trend);
     on.count.set_zero();
     MovedExtremes* of_blocks = on.extremes.data();
@@ -341,13 +333,13 @@ std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
 }
 
 void LevelOnDevice::bring_home(const std::vector<std::size_t>& particles) {
-    if (!home_) fetch({particles.begin(), particles.end()});
+    if (!home_) fetch(std::vector<std::int32_t>(particles.begin(), particles.end()));
 }
 
 std::vector<std::int32_t> LevelOnDevice::bring_pressed_home(MayBePressed condition) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    condition.wall = on.wall_normal.data(), condition.kind = on.p.kind.data();
+    condition.wall = on.p.wall_normal.data(), condition.kind = on.p.kind.data();
     cuda::launch(*device_, cuda::MarkPressed{condition, on.following.of(n)}, n);
     std::vector<std::int32_t> which(list_marked());
     on.which.give(which);
@@ -358,47 +350,38 @@ std::vector<std::int32_t> LevelOnDevice::bring_pressed_home(MayBePressed conditi
 void LevelOnDevice::push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) {
     Arrays& on = *on_;
     on.pushed.take(which), on.pushes.take(accelerations);
-    cuda::launch(*device_, AddPushes{on.pushed.data(), on.pushes.data(), on.rate.data()}, which.size());
+    cuda::launch(*device_, AddPushes{on.pushed.data(), on.pushes.data(), on.p.rate.data()}, which.size());
     home_ = false;
 }
 
-void LevelOnDevice::fetch(std::vector<std::int32_t> which) {
+void LevelOnDevice::fetch(const std::vector<std::int32_t>& which) {
     Arrays& on = *on_;
     on.fetched.take(which);
     on.held.resize(which.size());
-    cuda::launch(
-        *device_,
-        cuda::TakeHeld{on.p.view(), or_null(on.wall_normal), or_null(on.wall_leaving), or_null(on.wall_body),
-                       or_null(on.wall_triangle), on.p.id.data(), on.p.kind.data(), on.fetched.data(), on.held.data()},
-        which.size());
+    cuda::launch(*device_, cuda::TakeHeld{on.p.all(), on.fetched.data(), on.held.data()}, which.size());
     std::vector<cuda::HeldParticle> held(which.size());
     on.held.give(held);
-    Particles& p = level_.particles;
-    for (const cuda::HeldParticle& h : held) {
-        const auto i = static_cast<std::size_t>(h.index);
-        p.x[i] = h.x, p.y[i] = h.y, p.z[i] = h.z;
-        p.u[i] = h.u, p.v[i] = h.v, p.w[i] = h.w, p.drho[i] = h.drho;
-        p.id[i] = h.id, p.kind[i] = h.kind;
-        if (!p.wall_body.empty()) p.wall_body[i] = h.body;
-        if (!p.wall_triangle.empty()) p.wall_triangle[i] = h.triangle;
-        if (!p.wall_normal.empty()) p.wall_normal[i] = h.wall, p.wall_leaving[i] = h.leaving;
-    }
+    for (const cuda::HeldParticle& h : held)
+        FieldsView::each(level_.particles, h, [&h](auto& field, const auto& value, auto about) {
+            if constexpr (cuda::HeldParticle::has(decltype(about){})) {
+                if (!field.empty()) field[static_cast<std::size_t>(h.index)] = value;
+            }
+        });
 }
 
 void LevelOnDevice::put_back(const std::vector<std::int32_t>& held_at_home) {
-    const Particles& p = level_.particles;
-    std::vector<cuda::HeldParticle> held;
-    for (const std::int32_t k : held_at_home) {
-        const auto i = static_cast<std::size_t>(k);
-        held.push_back({k, p.id[i], p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i], p.wall_normal[i],
-                        p.wall_leaving[i], p.kind[i], p.wall_body.empty() ? std::uint16_t{0} : p.wall_body[i],
-                        p.wall_triangle.empty() ? -1 : p.wall_triangle[i]});
+    std::vector<cuda::HeldParticle> held(held_at_home.size());
+    for (std::size_t k = 0; k < held.size(); ++k) {
+        const auto i = static_cast<std::size_t>(held_at_home[k]);
+        held[k].index = held_at_home[k];
+        FieldsView::each(level_.particles, held[k], [i](const auto& field, auto& value, auto about) {
+            if constexpr (cuda::HeldParticle::has(decltype(about){})) {
+                if (!field.empty()) value = field[i];
+            }
+        });
     }
     on_->held.take(held);
-    cuda::launch(*device_,
-                 cuda::PutHeld{on_->held.data(), on_->p.view(), on_->wall_normal.data(), on_->wall_leaving.data(),
-                               or_null(on_->wall_body), or_null(on_->wall_triangle)},
-                 held.size());
+    cuda::launch(*device_, cuda::PutHeld{on_->held.data(), on_->p.all()}, held.size());
 }
 
 // --- points -------------------------------------------------------------------------------------------------------------

@@ -80,7 +80,7 @@ private:
     void find_walls(const Reaches& reaches);
     void ask_walls(std::size_t groups);
     void refresh_images(double t, bool with_stress);
-    void fetch(std::vector<std::int32_t> particles);
+    void fetch(const std::vector<std::int32_t>& particles);
     void put_back(const std::vector<std::int32_t>& held);  ///< after the host has held them
     /// Fields at places in this level's quanta.
     cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);

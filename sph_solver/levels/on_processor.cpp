@@ -15,7 +15,7 @@ void LevelOnProcessor::first_pair_loop(const OtherSums* other) {
 
 void LevelOnProcessor::mark_surface() {
     Particles& p = level_.particles;
-    const MarkBits mark{level_.lacks_support(), level_.ghosts.links().data(), p.size(), p.place.size(),
+    const MarkBits mark{level_.lacks_support(p.view()), level_.ghosts.links().data(), p.size(), p.place.size(),
                         p.surface.data()};
     for_particles(p.surface.size(), mark);
 }
@@ -23,7 +23,7 @@ void LevelOnProcessor::mark_surface() {
 void LevelOnProcessor::compress(double compress, double drift) {
     Particles& p = level_.particles;
     if (p.has(With::coarser)) p.density_rate.assign(p.size(), 0);
-    const AfterFirstSweep after = level_.after_first_sweep(compress, drift);
+    const AfterFirstSweep after = level_.after_first_sweep(p.view(), compress, drift);
     for_particles(p.size(), [&](std::size_t i) {
         after(
             i, [&](float drho) { return level_.setup.state_equation.pressure(level_.setup.rho0, drho); },

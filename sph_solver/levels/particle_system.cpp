@@ -132,25 +132,23 @@ SecondSweepData ParticleSystem::second_sweep_data(double t) {
     return d;
 }
 
-AfterFirstSweep ParticleSystem::after_first_sweep(double compress, double drift) {
-    Particles& p = particles;
-    const auto or_null = [](auto& field) { return field.empty() ? nullptr : field.data(); };
-    return {.p = state_view(),
+AfterFirstSweep ParticleSystem::after_first_sweep(const FieldsView& f, double compress, double drift) const {
+    return {.p = state_of(f),
             .to_quanta = to_quanta(),
-            .kind = p.kind.data(),
-            .rate = p.rate.data(),
-            .shift = p.shift_support.data(),
-            .aired = or_null(p.aired),
-            .place = p.place.data(),
-            .motion = p.velocity_density.data(),
-            .stress = p.gradient_pressure.data(),
-            .wall = or_null(p.wall_normal),
+            .kind = f.kind,
+            .rate = f.rate,
+            .shift = f.shift_support,
+            .aired = f.aired,
+            .place = f.place,
+            .motion = f.velocity_density,
+            .stress = f.gradient_pressure,
+            .wall = f.wall_normal,
             .compress = compress,
             .drift = drift,
             .surface_support = setup.surface_support,
-            .trend = or_null(p.trend),
-            .compression = or_null(p.compression),
-            .density_rate = or_null(p.density_rate)};
+            .trend = f.trend,
+            .compression = f.compression,
+            .density_rate = f.density_rate};
 }
 
 ExtrapolateData ParticleSystem::extrapolation() const {
@@ -173,15 +171,14 @@ InterpolateData ParticleSystem::interpolation() const {
     return d;
 }
 
-TakeGiving ParticleSystem::giving(const Asking& asking) {
-    const Particles& p = particles;
-    return {.place = p.place.data(),
-            .motion = p.velocity_density.data(),
-            .shift = p.shift_support.data(),
-            .density_rate = p.density_rate.data(),
-            .kind = p.kind.data(),
-            .links = ghosts.links().data(),
-            .n = p.size(),
+TakeGiving ParticleSystem::giving(const FieldsView& f, const Link* links, std::size_t n, const Asking& asking) const {
+    return {.place = f.place,
+            .motion = f.velocity_density,
+            .shift = f.shift_support,
+            .density_rate = f.density_rate,
+            .kind = f.kind,
+            .links = links,
+            .n = n,
             .of = asking.of,
             .density_before = asking.density_before,
             .without = asking.without ? *asking.without : SurfaceExcess(),
@@ -200,7 +197,7 @@ StepView ParticleSystem::step_view(double t, const Halo& halo) {
                   .images = ghosts.count(),
                   .p = state_view(),
                   .kind = p.kind.data(),
-                  .aired = p.aired.data(),
+                  .fields = p.view(),
                   .shift = p.shift_support.data(),
                   .water = water_view(),
                   .dummies = {},
@@ -249,13 +246,6 @@ double ParticleSystem::reach_of_others() const {
     if (!particles.has(With::coarser) && !particles.has(With::finer)) return 0;
     return Kernel(interpolation_h_over_dp * setup.dp, around.dimensions).support() +
            ListLife::wall_skin_over_dp * setup.dp;
-}
-
-void ParticleSystem::note_wall(std::size_t i, const Walls::Nearest& nearest) {
-    particles.wall_normal[i] = nearest.normal;
-    particles.wall_leaving[i] = nearest.leaving;
-    if (walls.move()) particles.wall_body[i] = static_cast<std::uint16_t>(nearest.body);
-    if (walls.give_way()) particles.wall_triangle[i] = nearest.triangle;
 }
 
 double ParticleSystem::density_of_row() const {

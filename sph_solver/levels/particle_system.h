@@ -75,20 +75,21 @@ struct ParticleSystem {
         const Vec3& o = quanta.origin;
         return {o.x(), o.y(), o.z(), quanta.per_metre, static_cast<float>(mass), static_cast<float>(setup.rho0)};
     }
-    LacksSupport lacks_support() const {
-        const Particles& p = particles;
-        return {p.kind.data(), p.trend.empty() ? nullptr : p.trend.data(), p.shift_support.data(),
-                setup.surface_support};
-    }
     WaterView water_view() const;
     WallView wall_view() const;
     FirstSweepData first_sweep_data();
     SecondSweepData second_sweep_data(double t);
-    AfterFirstSweep after_first_sweep(double compress, double drift);
-    ExtrapolateData extrapolation() const;    ///< from the present records; the caller says where to
-    InterpolateData interpolation() const;    ///< the caller says of whom, where to and what
-    TakeGiving giving(const Asking& asking);  ///< the caller says where to
+    ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
+    InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     StepView step_view(double t, const Halo& halo);
+
+    // --- the same of the fields of who makes the steps
+    LacksSupport lacks_support(const FieldsView& f) const {
+        return {f.kind, f.trend, f.shift_support, setup.surface_support};
+    }
+    AfterFirstSweep after_first_sweep(const FieldsView& f, double compress, double drift) const;
+    /// The caller says where to.
+    TakeGiving giving(const FieldsView& f, const Link* links, std::size_t n, const Asking& asking) const;
 
     // --- how far they look [m]
     /// Distance from which a neighbour may come within the support during `drift` [s].
@@ -117,8 +118,6 @@ struct ParticleSystem {
         const Vec3 of_wall = walls.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle);
         return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
     }
-    /// Takes what is nearest as the wall of particle i.
-    void note_wall(std::size_t i, const Walls::Nearest& nearest);
     double stream_velocity(double t) const { return around.stream ? around.stream->velocity(t) : 0; }
     /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
     double density_of_row() const;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 
+#include "sph_solver/fields/field_list.h"
 #include "sph_solver/loops/whole.h"
 #include "sph_solver/neighbours/wide_place.h"
 #include "sph_solver/sweeps/records.h"
@@ -29,6 +30,7 @@ struct StateView {
     double *x = nullptr, *y = nullptr, *z = nullptr;                  ///< [m]
     float *u = nullptr, *v = nullptr, *w = nullptr, *drho = nullptr;  ///< [m/s], [kg/m3]
 };
+inline StateView state_of(const FieldsView& f) { return {f.x, f.y, f.z, f.u, f.v, f.w, f.drho}; }
 
 /// What the sweeps read of the state.
 struct UpdateRecords {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/loops/moving.h"
 
 namespace tw {
 namespace field_table_test {
@@ -107,16 +106,36 @@ TEST(Particles, WhatIsSavedHasANameOfItsOwnAndHoldsNumbers) {
     EXPECT_TRUE(names.contains("x"));
 }
 
-TEST(Particles, WhatMovesWithThemMovesOnADeviceToo) {
+TEST(Particles, TheTableAndTheListOfADeviceAreTheSame) {
     Particles p;
-    std::set<const void*> on_device, here;
-    MovingView::each(p, p, [&](const AnyField& f, const AnyField&) { on_device.insert(&f); });
-    p.each([&](const AnyField& f) {
-        if (!f.moves()) return;
-        here.insert(&f);
-        EXPECT_TRUE(on_device.contains(&f)) << f.name() << " is not in the lists of loops/moving.h";
+    std::set<const void*> of_list, of_table;
+    FieldsView::each(p, p, [&](const AnyField& f, const AnyField&, auto about) {
+        of_list.insert(&f);
+        EXPECT_EQ(f.moves(), decltype(about)::moves) << f.name();
+        EXPECT_EQ(f.with() == With::water, decltype(about)::always) << f.name();
     });
-    EXPECT_EQ(on_device.size(), here.size()) << "a quantity that does not move is in the lists of loops/moving.h";
+    p.each([&](const AnyField& f) {
+        if (&f != &p.surface) of_table.insert(&f);
+    });
+    EXPECT_EQ(of_list, of_table);
+}
+
+TEST(Particles, WhatALevelLacksIsNullInItsView) {
+    Particles p;
+    p.resize(1);
+    EXPECT_EQ(p.view().x, p.x.data());
+    EXPECT_EQ(p.view().aired, nullptr);
+    p.bring(With::ventilation);
+    EXPECT_EQ(p.view().aired, p.aired.data());
+    // one that is added begins without what the one before it had, and a copy has it
+    p.aired[0] = Aired::yes, p.x[0] = 2;
+    p.resize(3);
+    const FieldsView all = p.view();
+    all.copy(1, all, 0), all.copy(2, all, 0);
+    all.begin(2);
+    EXPECT_EQ(p.aired[1], Aired::yes);
+    EXPECT_EQ(p.aired[2], Aired::unknown);
+    EXPECT_EQ(p.x[2], 2);
 }
 
 }  // namespace field_table_test
