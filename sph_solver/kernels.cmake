@@ -35,5 +35,6 @@ foreach(kind kernels strict_kernels)
   set_source_files_properties(${ptx}.S PROPERTIES OBJECT_DEPENDS ${ptx})
   list(APPEND sources ${ptx}.S)
 endforeach()
-list(APPEND sources cuda/driver.cpp cuda/peaks.cpp levels/edges_on_device.cpp levels/lists_on_device.cpp
+list(APPEND sources cuda/driver.cpp cuda/peaks.cpp levels/edges_on_device.cpp levels/fields_on_device.cpp
+     levels/lists_on_device.cpp
      levels/loops_on_device.cpp levels/neighbours_on_device.cpp levels/on_device.cpp)

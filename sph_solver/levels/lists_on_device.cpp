@@ -88,4 +88,14 @@ std::int64_t ListsOnDevice::live() const {
     return live;
 }
 
+std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<std::int32_t>& start) {
+    std::vector<int> column;
+    std::size_t c = 0;
+    for (const Group& g : groups) {
+        while (start[c + 1] <= g.first) ++c;
+        column.push_back(static_cast<int>(c));
+    }
+    return column;
+}
+
 }  // namespace tw

@@ -105,4 +105,7 @@ private:
     cuda::Array<cuda::DeviceSource> sources_;
 };
 
+/// The column in which each of a host's groups stands; `start`: first place of each column.
+std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<std::int32_t>& start);
+
 }  // namespace tw

@@ -6,20 +6,6 @@
 
 namespace tw {
 
-namespace {
-
-std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<std::int32_t>& start) {
-    std::vector<int> column;
-    std::size_t c = 0;
-    for (const Group& g : groups) {
-        while (start[c + 1] <= g.first) ++c;
-        column.push_back(static_cast<int>(c));
-    }
-    return column;
-}
-
-}  // namespace
-
 LevelOnDevice::LevelOnDevice(ParticleSystem& level, const RankShare& share, std::shared_ptr<cuda::Device> device)
     : level_(level),
       share_(share),
@@ -382,29 +368,6 @@ void LevelOnDevice::put_back(const std::vector<std::int32_t>& held_at_home) {
     }
     on_->held.take(held);
     cuda::launch(*device_, cuda::PutHeld{on_->held.data(), on_->p.all()}, held.size());
-}
-
-// --- points -------------------------------------------------------------------------------------------------------------
-
-void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
-    cuda::Device& d = *device_;
-    const std::size_t n = points.places.size();
-    cuda::Array<PlaceRecord> places(d);
-    cuda::Array<Group> groups(d);
-    cuda::Array<int> column(d);
-    cuda::Array<float> p(d), support(d);
-    ListsOnDevice lists(d);
-    places.take(points.places), groups.take(points.groups);
-    column.take(columns_of(points.groups, points.start));
-    p.resize(n), support.resize(n);
-    lists.build(level_.grid, level_.grid, places.data(), column, groups, sources(),
-                level_.reaches_of_points(level_.kernel) / level_.quanta.size);
-    ExtrapolateData e = to;
-    e.water = water();
-    e.list = lists.view();
-    e.at = places.data(), e.p = p.data(), e.support = support.data();
-    cuda::launch_pairs(*device_, e, groups);
-    p.give(std::span(to.p, n)), support.give(std::span(to.support, n));
 }
 
 }  // namespace tw

@@ -1,0 +1,107 @@
+// Fields of a level on a device at points that are none of its particles: samples, and the particles of other levels.
+#include "sph_solver/levels/arrays_on_device.h"
+#include "sph_solver/sweeps/interpolate.h"
+
+namespace tw {
+
+void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
+    cuda::Device& d = *device_;
+    const std::size_t n = points.places.size();
+    cuda::Array<PlaceRecord> places(d);
+    cuda::Array<Group> groups(d);
+    cuda::Array<int> column(d);
+    cuda::Array<float> p(d), support(d);
+    ListsOnDevice lists(d);
+    places.take(points.places), groups.take(points.groups);
+    column.take(columns_of(points.groups, points.start));
+    p.resize(n), support.resize(n);
+    lists.build(level_.grid, level_.grid, places.data(), column, groups, sources(),
+                level_.reaches_of_points(level_.kernel) / level_.quanta.size);
+    ExtrapolateData e = to;
+    e.water = water();
+    e.list = lists.view();
+    e.at = places.data(), e.p = p.data(), e.support = support.data();
+    cuda::launch_pairs(*device_, e, groups);
+    p.give(std::span(to.p, n)), support.give(std::span(to.support, n));
+}
+
+/// Copies what counts of the level's particles and images to arrays of its own, where neighbours can be looked for.
+std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking) {
+    Arrays& on = *on_;
+    const std::size_t n = on.p.size(), all = on.p.place.size();
+    TakeGiving take = level_.giving(on.p.all(), on.links.data(), n, asking);
+    cuda::launch(*device_, cuda::MarkGiving{take, on.gives.of(all)}, all);
+    const auto giving = static_cast<std::size_t>(on.gives.add_up());
+    on.giving_place.resize(giving), on.giving_motion.resize(giving);
+    on.giving_support.resize(asking.without ? giving : 0);
+    on.giving_rate.resize(asking.want_compression ? giving : 0);
+    take.to_place = on.giving_place.data(), take.to_motion = on.giving_motion.data();
+    take.known_support = or_null(on.giving_support), take.rate = or_null(on.giving_rate);
+    cuda::launch(*device_, cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
+    const auto columns = static_cast<std::size_t>(level_.grid.count()) + 1;
+    const auto source = [&](const SortedOnDevice& order, std::size_t from, cuda::Array<int>& start) {
+        start.resize(columns);
+        cuda::launch(*device_,
+                     cuda::StartGiving{order.start(), order.in_column(), from, on.gives.before(), start.data()},
+                     columns);
+        return cuda::DeviceSource{on.giving_place.data(), start.data(), 1, 0};
+    };
+    return {source(on.order, 0, on.giving_start), source(on.image_order, n, on.giving_images)};
+}
+
+cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Asking& asking) {
+    update_records();
+    Arrays& on = *on_;
+    const ColumnGrid grid = level_.grid.scaled(asking.apart);
+    const double quantum = level_.quanta.size;
+    Arrays::Asked& at =
+        on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup.dp, quantum))
+            .first->second;
+    const std::size_t n = at.order.sort(wide.data(), nullptr, nullptr, wide.size());
+    at.place.resize(n), at.value.resize(n), at.support.resize(n), at.mean_support.resize(n);
+    at.compression.resize(asking.want_compression ? n : 0);
+    cuda::launch(*device_, cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
+    at.groups.make(grid, at.order, at.place.data());
+    const std::vector<cuda::DeviceSource> giving = note_giving(asking);
+    at.lists.build(level_.grid, grid, at.place.data(), at.groups.column(), at.groups.groups(), giving,
+                   level_.reaches_of_interpolation() / quantum);
+    InterpolateData d = level_.interpolation();
+    d.list = at.lists.view();
+    d.at = at.place.data();
+    d.water.place = on.giving_place.data(), d.water.motion = on.giving_motion.data();
+    d.known_support = or_null(on.giving_support), d.rate = or_null(on.giving_rate);
+    d.value = at.value.data(), d.support = at.support.data(), d.mean_support = at.mean_support.data();
+    d.compression = or_null(at.compression);
+    at.mean_support.set_zero(), at.compression.set_zero();  // where nobody gives anything they are not worked out
+    cuda::launch_pairs(*device_, d, at.groups.groups());
+    return {at.order.order(), d.value, d.support, d.mean_support, d.compression};
+}
+
+/// Fields of another level where those in `which` are, or will be after a time [s].
+cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Asking& asking) {
+    Arrays& on = *on_;
+    auto& other = static_cast<LevelOnDevice&>(level);
+    const std::size_t n = on.which.size();
+    on.wide_of_others.resize(n);
+    cuda::launch(
+        *device_,
+        cuda::PlacesToAsk{on.p.view(), ahead, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
+    return other.ask(on.wide_of_others, asking);
+}
+
+void LevelOnDevice::interpolate(FieldsAt& at) {
+    at.resize();
+    if (at.places.empty()) return;
+    Arrays& on = *on_;
+    std::vector<WidePlace> wide;
+    for (const Vec3& x : at.places) wide.push_back(level_.quanta.wide(x));
+    on.wide_of_others.take(wide);
+    const cuda::FoundAt found = ask(on.wide_of_others, at);
+    on.given.resize(wide.size());
+    cuda::launch(*device_, cuda::HandToHost{found, on.given.data()}, wide.size());
+    std::vector<Given> given(wide.size());
+    on.given.give(given);
+    for (std::size_t k = 0; k < given.size(); ++k) at.take(k, given[k]);
+}
+
+}  // namespace tw
