@@ -13,6 +13,7 @@
 #include "sph_solver/loops/records.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/parallel/halo.h"
+#include "sph_solver/sweeps/own_sums.h"
 #include "sph_solver/sweeps/passes.h"
 #include "sph_solver/sweeps/views.h"
 
@@ -60,7 +61,7 @@ struct StepView {
     const Link* links;
     const LinkMap* maps;
     const Comm& ranks;
-    const Halo &halo, &dummies_halo;  ///< what a sweep has left has to be told before anybody reads it
+    const Halo &halo, &dummies_halo;  ///< see `exchange`
     double h, mass, time;
     DeviceLoops* device = nullptr;  ///< null: this process makes the step
 
@@ -96,6 +97,32 @@ struct StepView {
         for (const Group& g : groups)
             if (choose(g)) to[count++] = g;
         for_pairs(passes, view, {to, count});
+    }
+    /// Room for what a pair loop leaves.
+    template <class T>
+    OwnSums<T> sums(LoopArray<T>& in, std::size_t count) const {
+        return OwnSums<T>(in.resize(device, count));
+    }
+    /// The same, zero where no pair loop comes.
+    template <class T>
+    OwnSums<T> zero_sums(LoopArray<T>& in, std::size_t count) const {
+        return OwnSums<T>(in.zeros(device, count));
+    }
+    /// Lets ranks tell each other what a pair loop has left for particles, or for dummies: then loops may read it.
+    template <class T>
+    T* exchange(const OwnSums<T>& of) const {
+        halo.tell(of.at_);
+        return of.at_;
+    }
+    template <class T>
+    T* exchange_at_dummies(const OwnSums<T>& of) const {
+        dummies_halo.tell(of.at_);
+        return of.at_;
+    }
+    /// For loops that make nothing of it but the particles' rates: these are exchanged after all effects.
+    template <class T>
+    T* for_rates(const OwnSums<T>& of) const {
+        return of.at_;
     }
     /// Gives images what they have of an array for particles and images, by a law that asks for no place.
     template <Law law, class T>

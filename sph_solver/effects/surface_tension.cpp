@@ -14,16 +14,16 @@ public:
     explicit ContinuumForce(const SurfaceTension& options) : sigma_(options.sigma) {}
 
     void add_rates(const StepView& step) override {
-        VelocityDensityRecord* const normal = normal_.resize(step.device, step.n + step.images);
-        float *const curvature = curvature_.resize(step.device, step.n), *const length =
-                                                                             length_.resize(step.device, step.n);
-        step.pairs(ColourGradientData{step.water, step.dummies, normal});
-        step.halo.tell(normal);
+        const OwnSums<VelocityDensityRecord> gradient = step.sums(normal_, step.n + step.images);
+        const OwnSums<float> curvature = step.sums(curvature_, step.n);
+        float* const length = length_.resize(step.device, step.n);
+        step.pairs(ColourGradientData{step.water, step.dummies, gradient});
+        VelocityDensityRecord* const normal = step.exchange(gradient);
         step.each(step.n, NormalOfSurface{normal, length, step.h});
         step.refresh<Law::vector>(normal);
         step.pairs(CurvatureData{step.water, normal, curvature});
-        step.each(step.n, PullAtSurface{SurfaceForce(sigma_, step.mass), step.water.place, normal, curvature, length,
-                                        step.rate});
+        step.each(step.n, PullAtSurface{SurfaceForce(sigma_, step.mass), step.water.place, normal,
+                                        step.for_rates(curvature), length, step.rate});
     }
     /// Capillary waves of the kernel's length (Brackbill et al. 1992): dt < 0.25 sqrt(rho h^3 / (2 pi sigma)).
     double largest_step(const LevelSetup& setup, double h) const override {

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "sph_solver/sweeps/own_sums.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
@@ -22,13 +23,13 @@ std::unique_ptr<Effect> make_effect(const SurfaceTension& options);
 struct ColourGradientData {
     WaterView water{};
     WallView walls{};
-    VelocityDensityRecord* gradient = nullptr;
+    OwnSums<VelocityDensityRecord> gradient{};
 };
 /// -div n of each particle [1/m].
 struct CurvatureData {
     WaterView water{};
     const VelocityDensityRecord* normal = nullptr;  ///< unit vector, of images too; drho = 1 where it counts, else 0
-    float* curvature = nullptr;
+    OwnSums<float> curvature{};
 };
 
 }  // namespace tw

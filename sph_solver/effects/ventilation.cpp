@@ -18,12 +18,11 @@ public:
         const AirAtParticles air = rules(step);
         std::uint32_t* const stays = stays_.resize(step.device, words);
         step.each(words, MarkAir{air, step.links, n, all, stays});
-        Round* const round = round_.zeros(step.device, n);
-        NearAirData d{.water = step.water, .round = round};
+        const OwnSums<Round> sums = step.zero_sums(round_, n);
+        NearAirData d{.water = step.water, .round = sums};
         d.water.surface = stays;
         step.pairs_where(MayGetAir{air, stays}, d, asking_);
-        step.halo.tell(round);
-        step.each(n, NoteAir{air, stays, round});
+        step.each(n, NoteAir{air, stays, step.exchange(sums)});
     }
     std::size_t bytes() const override { return stays_.bytes() + round_.bytes() + asking_.bytes(); }
 

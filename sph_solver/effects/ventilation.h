@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "sph_solver/sweeps/own_sums.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
@@ -32,7 +33,7 @@ enum class Round : std::uint8_t {
 };
 struct NearAirData {
     WaterView water{};  ///< its `surface` marks those that air is at
-    Round* round = nullptr;
+    OwnSums<Round> round{};
 };
 
 }  // namespace tw

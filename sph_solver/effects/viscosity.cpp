@@ -49,9 +49,9 @@ public:
 
 private:
     void add_eddies(const StepView& step, const WaterView& water, float* mu) {
-        float* const strain = strain_.resize(step.device, step.n);
-        step.pairs(StrainRateData{water, strain});
-        step.halo.tell(strain);
+        const OwnSums<float> sums = step.sums(strain_, step.n);
+        step.pairs(StrainRateData{water, sums});
+        const float* const strain = step.exchange(sums);
         AddEddies add{.p = step.p,
                       .strain = strain,
                       .wall = o_.no_slip && step.dummies.place ? step.dummies.normal : nullptr,
@@ -71,14 +71,14 @@ private:
     }
 
     const VelocityDensityRecord* find_wall_velocity(const StepView& step) {
-        VelocityDensityRecord* const velocity = wall_velocity_.zeros(step.device, step.dummy_count);
+        const OwnSums<VelocityDensityRecord> sums = step.zero_sums(wall_velocity_, step.dummy_count);
         for (const StepView::DummiesOfBody& body : step.bodies)
             step.pairs(WaterVelocityData{.water = step.water,
                                          .list = body.water,
                                          .at = step.dummies.place + body.first,
-                                         .velocity = velocity + body.first},
+                                         .velocity = sums.from(body.first)},
                        body.groups);
-        step.dummies_halo.tell(velocity);
+        VelocityDensityRecord* const velocity = step.exchange_at_dummies(sums);
         step.each(step.dummy_count, HoldAtWalls{velocity, step.sliding, step.dummies.velocity});
         return velocity;
     }

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "sph_solver/sweeps/own_sums.h"
 #include "sph_solver/sweeps/views.h"
 
 namespace tw {
@@ -29,7 +30,7 @@ struct WaterVelocityData {
     WaterView water{};
     Lists list{};  ///< of the points
     const PlaceRecord* at = nullptr;
-    VelocityDensityRecord* velocity = nullptr;
+    OwnSums<VelocityDensityRecord> velocity{};
 };
 /// See equations/viscosity.h; adds to `rate`.
 struct ViscousForceData {
@@ -43,7 +44,7 @@ struct ViscousForceData {
 /// |S| of each particle [1/s], see equations/smagorinsky.h.
 struct StrainRateData {
     WaterView water{};
-    float* strain = nullptr;
+    OwnSums<float> strain{};
 };
 
 }  // namespace tw
