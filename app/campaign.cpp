@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "scene/hash.h"
+#include "scene/run_end.h"
 #include "sph_solver/parallel/comm.h"
 
 namespace tw::app {
@@ -33,8 +34,7 @@ std::optional<RunRecord> record_of(const CampaignRun& run) {
 std::optional<RunRecord> finished_run(const CampaignRun& run) {
     std::optional<RunRecord> record = record_of(run);
     // the duration is not in the hash: a run may be made longer
-    const bool finished =
-        record && record->state == "finished" && record->numbers["duration"] >= run.plan.scene.run.duration;
+    const bool finished = record && is_complete(run.plan.scene, *record);
     return finished ? std::move(record) : std::nullopt;
 }
 

@@ -138,6 +138,7 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                     {"near_hull", scene.resolution.near_hull},
                     {"refinement", refinement},
                     {"duration", scene.run.duration},
+                    {"stop", scene.run.stop},
                     {"mean_from", scene.sampling.mean_from},
                     {"ramp", scene.motion.ramp},
                     {"c0", scene.sph.c0},

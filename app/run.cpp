@@ -60,8 +60,8 @@ std::string prediction_text(const PlannedRun& plan) {
     std::string text;
     for (const std::string& method : methods_of(plan.scene)) {
         const MethodCost& cost = plan.prediction.of(method);
-        text += fmt::format("{}: {} {}, {}\n", method_label(method), plain_number(cost.elements), elements_of(method),
-                            about_text(cost.seconds));
+        text += fmt::format("{}: {} {}, {}{}\n", method_label(method), plain_number(cost.elements), elements_of(method),
+                            plan.scene.run.stops_when_settled() ? "at most " : "", about_text(cost.seconds));
     }
     return text;
 }

@@ -95,7 +95,8 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
         const PaceName pace = pace_of(scene, method, &plan.prediction);
-        learn_pace(pace.name, predict_by_table(scene).of(method).seconds * pace.cores, taken,
+        const double part = record.numbers["duration"] / scene.run.duration;  // less than 1 where its loads had settled
+        learn_pace(pace.name, predict_by_table(scene).of(method).seconds * part * pace.cores, taken,
                    share.left(std::atoi(record.attributes["threads"].c_str())));
     }
     return record;

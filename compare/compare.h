@@ -7,31 +7,24 @@
 #include <vector>
 
 #include "record/run_record.h"
+#include "statistics/settled_mean.h"
 
 namespace tw {
 
-/// 95 % interval of a settled mean, or why there is none.
-struct MeanValue {
-    bool known = false;
-    double value = std::numeric_limits<double>::quiet_NaN();
-    double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of the 95 % interval of the mean alone
+/// 95 % interval of a settled mean, or why there is none, and what else is known of it.
+struct MeanValue : SettledMean {
+    MeanValue() = default;
+    MeanValue(const SettledMean& mean) : SettledMean(mean) {}
     /// What runs of other sizes tell (ladder/judge_by_sizes.h), half widths; nan: not estimated, or there is none.
     double discretisation = std::numeric_limits<double>::quiet_NaN();
     double choices = std::numeric_limits<double>::quiet_NaN();      ///< box, sound speed, time step; root of squares
     double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of all of it
     std::string no_uncertainty;                                     ///< why the other sizes gave none
-    double from = 0, to = 0;                                        ///< the window used [s]
-    double n_effective = 0;
-    std::string why_not;        ///< "record too short: about 0.8 s more is needed"
-    double seconds_needed = 0;  ///< > 0: not known because the record is too short, by about this much [s]
-    double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
-    std::string limited_by;  ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
     /// What reading the value off its history leaves open below and above it (threshold, spacing, sampling), which no run
     /// of another size shows [unit]; in the outer interval alone (verdict/left_out.h). `reading_of`: what that is.
     double reading_below = 0, reading_above = 0;
     std::string reading_of = {};
     std::string not_resolved = {};  ///< why this source's value is not judged: "sound of the impact: ..."; empty: it is
-    bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 
     /// The widest interval that is known; nan: none, because the sizes do not converge or it is not judged.
     double bar() const {
@@ -140,11 +133,13 @@ struct Comparison {
 };
 
 struct CompareOptions {
-    bool force = false;                 ///< compare records of different scenes, with a banner
-    double agree_within = 0.05;         ///< target of AGREE, as a fraction
-    double fewest_flow_throughs = 1.5;  ///< a mean is not given from less settled time than this [length / speed]
-    double fewest_independent = 10;     ///< nor from fewer independent samples
-    double largest_error = 0.02;        ///< nor with a larger standard error, as a fraction of the mean
+    bool force = false;          ///< compare records of different scenes, with a banner
+    double agree_within = 0.05;  ///< target of AGREE, as a fraction
+    double fewest_flow_throughs =
+        SettledRules{}.fewest_flow_throughs;  ///< a mean is not given from less settled time than this [length / speed]
+    double fewest_independent = SettledRules{}.fewest_independent;  ///< nor from fewer independent samples
+    double largest_error =
+        SettledRules{}.largest_error;  ///< nor with a larger standard error, as a fraction of the mean
 };
 
 /// Differences are taken between every two sources. One source alone is accepted: its values stand without a verdict. Throws InputError when the records

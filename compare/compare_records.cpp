@@ -19,7 +19,7 @@
 #include "compare/metrics/tank_loads.h"
 #include "compare/metrics/walls.h"
 #include "compare/read/prepare.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/reference/planing.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"

@@ -28,6 +28,7 @@
 #include "foam_cases/take_up.h"
 #include "foam_cases/write_case.h"
 #include "scene/new_record.h"
+#include "scene/run_end.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -68,10 +69,10 @@ private:
     std::optional<RunRecord> finished_already() const {
         if (!options_.resume || !fs::exists(record_file_)) return {};
         RunRecord earlier = read_record(record_file_);
-        const double duration = plan_.scene->run.duration;
-        if (earlier.state != "finished" || earlier.attributes["run_hash"] != record_.attributes.at("run_hash") ||
-            earlier.numbers["duration"] < duration || !(earlier.numbers["write_interval"] > 0))
+        if (earlier.attributes["run_hash"] != record_.attributes.at("run_hash") ||
+            !is_complete(*plan_.scene, earlier) || !(earlier.numbers["write_interval"] > 0))
             return {};
+        const double duration = std::min(plan_.scene->run.duration, earlier.numbers["duration"]);
         SolverLog log;
         follow(CasePrograms(openfoam_, case_).log("solver"), 0, log);
         if (first_gap(plan_, log, earlier, duration) || lacks_picture(plan_, earlier)) return {};
@@ -232,7 +233,7 @@ private:
                     save(folders);
                     saved = wall_clock();
                 }
-                return stop_asked();
+                return settled_.has_value() || stop_asked();
             };
             outcome =
                 solve(plan_, programs, ranks, log_, growing, [&] { return water_trouble(record_, limits_of(plan_)); });
@@ -245,8 +246,9 @@ private:
         read_new(folders, reader, 2 * duration);
         save(folders);
         if (!outcome.failure.empty()) throw RunError(outcome.failure);
-        if (outcome.stopped) return end("stopped", "stopped as asked; --resume goes on from the last write time");
-        if (const auto gap = first_gap(plan_, log_, record_, duration))
+        if (outcome.stopped && !settled_)
+            return end("stopped", "stopped as asked; --resume goes on from the last write time");
+        if (const auto gap = first_gap(plan_, log_, record_, settled_.value_or(duration)))
             throw RunError(
                 fmt::format("{}: the solver's tables are not whole: {}; often the disk was full for a while; --resume "
                             "computes anew "
@@ -256,7 +258,7 @@ private:
             throw RunError((case_ / "postProcessing/hullSurface").string() +
                            ": the hull's pressure at the last write time is not there, and the run does not count as "
                            "finished without it; begin anew with --overwrite");
-        return end("finished", "");
+        return end("finished", note_end(*plan_.scene, record_, settled_));
     }
 
     /// False: a stop was asked for.
@@ -302,16 +304,20 @@ private:
             if (m.time > gap->time * (1 - time_name_precision)) folders.remove(m);
     }
 
-    /// Reads the write times that are not in the record yet and lie before `limit`.
+    /// Reads the write times that are not in the record yet and lie before `limit`, up to the one at which the run may
+    /// end: what the solver has written behind that before it stopped is left to be read when the run is gone on with.
     void read_new(const TimeFolders& folders, FrameReader& reader, double limit) {
         if (plate_) plate_->read_before(limit, record_);
         for (const TimeFolders::Moment& moment : folders.moments()) {
             const std::vector<double>& known = record_.table("samples").time;
+            if (settled_) return;
             if (moment.time >= limit || (!known.empty() && moment.time <= known.back() * (1 + 1e-9)) ||
                 !folders.whole(moment))
                 continue;
             const double began = wall_clock(), cpu = own_cpu();
             reader.read(moment, log_, record_);
+            if (moment.time < plan_.scene->run.duration * (1 - 1e-9) && may_end(*plan_.scene, record_))
+                settled_ = moment.time;
             Phase& p = phase("reading");
             p.wall += wall_clock() - began;
             p.cpu += own_cpu() - cpu;
@@ -322,6 +328,7 @@ private:
     void save(const TimeFolders& folders) {
         const double began = wall_clock(), cpu = own_cpu();
         read_step_tables(plan_, case_, log_, record_);
+        if (settled_) record_.rewind(*settled_ * (1 + time_name_precision));
         write_record(record_file_, record_);
         const auto moments = folders.moments();
         const std::vector<double>& known = record_.table("samples").time;
@@ -369,6 +376,7 @@ private:
     RunRecord record_;
     SolverLog log_;
     std::optional<PlatePressures> plate_;
+    std::optional<double> settled_;  // when the loads had [s]
 };
 
 }  // namespace

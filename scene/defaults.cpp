@@ -150,6 +150,10 @@ double default_duration(const Scene& scene) {
     return start_of(scene) + settling(scene) + std::max({mean, 3 * start_up_period(scene), 3 * heave_period(scene)});
 }
 
+bool loads_settle(const Scene& scene) {
+    return scene.motion.kind == Motion::Kind::stream && scene.hull && !scene.hull->free && scene.bodies.empty();
+}
+
 double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
 
 void fill_times(Scene& scene) {

@@ -46,6 +46,8 @@ double start_up_period(const Scene& scene);
 /// period, whichever is longer, to settle, and two L/U or three whole periods for the means; a free hull two of its heaves to
 /// settle and three for the means; in a tank 10 sqrt(H/g).
 double default_duration(const Scene& scene);
+/// Whether the loads come to a mean that ends the run (run_end.h): a hull held in a stream, with no body beside it.
+bool loads_settle(const Scene& scene);
 double default_interval(const Scene& scene);  ///< between samples [s]
 /// Fills what is still zero or empty in run, sampling and the sound speed; domain, resolution and motion are known.
 void fill_times(Scene& scene);

@@ -44,6 +44,13 @@ TextValue number_value(double number) {
     return v;
 }
 
+TextValue text_value(const std::string& text) {
+    TextValue v;
+    v.kind = TextValue::Kind::text;
+    v.text = text;
+    return v;
+}
+
 void apply(const SceneOverrides& o, TextValue& document) {
     if (o.hull_file) {
         // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown
@@ -55,22 +62,27 @@ void apply(const SceneOverrides& o, TextValue& document) {
                                                         "lcg",    "vcg",  "pitch_gyradius", "release"};
                 return !kept.contains(m.first);
             });
-        TextValue file;
-        file.kind = TextValue::Kind::text;
-        file.text = o.hull_file->string();
-        override_key(document, "hull", "file", "--hull", file);
+        override_key(document, "hull", "file", "--hull", text_value(o.hull_file->string()));
     }
     if (o.speed) override_key(document, "motion", "speed", "--speed", number_value(*o.speed));
     if (o.spacing) override_key(document, "resolution", "spacing", "--spacing", number_value(*o.spacing));
     if (o.near_hull) override_key(document, "resolution", "near_hull", "--near-hull", number_value(*o.near_hull));
-    if (o.duration) override_key(document, "run", "duration", "--duration", number_value(*o.duration));
-    if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
-    for (const auto& [name, on] : o.effects) {
-        TextValue value;
-        value.kind = TextValue::Kind::text;
-        value.text = on ? "on" : "off";
-        override_key(document, "effects", name, "--effect " + name, value);
+    if (o.duration) {  // all of it: who asks for a time wants to see it
+        override_key(document, "run", "duration", "--duration", number_value(*o.duration));
+        override_key(document, "run", "stop", "--duration", text_value("duration"));
     }
+    if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
+    for (const auto& [name, on] : o.effects)
+        override_key(document, "effects", name, "--effect " + name, text_value(on ? "on" : "off"));
+}
+
+/// duration = "auto" is what holds without the key.
+void forget_auto_duration(TextValue& document) {
+    TextValue* run = document.find("run");
+    if (!run || run->kind != TextValue::Kind::table) return;
+    std::erase_if(run->members, [](const auto& m) {
+        return m.first == "duration" && m.second.kind == TextValue::Kind::text && m.second.text == "auto";
+    });
 }
 
 void note_places(const Sections& s, Scene& scene) {
@@ -249,6 +261,18 @@ void settle_domain(Reading& r) {
     check_bodies(scene, s);
 }
 
+/// What ends the run. Once its hull and bodies are known, and before its duration is filled in.
+void settle_end(Scene& scene, SceneSection& s) {
+    Run& run = scene.run;
+    const bool settles = loads_settle(scene);
+    if (run.stop == "settled" && !settles)
+        s.fail("stop",
+               "only the loads on a hull that is held in a stream settle; a free hull, bodies that move and tanks are "
+               "run to their end: remove this key, or write stop = \"duration\"");
+    if (run.stop == "auto") run.stop = settles && run.duration == 0 ? "settled" : "duration";
+    if (run.stops_when_settled()) run.wave_period = start_up_period(scene);
+}
+
 void settle_courant_numbers(Scene& scene) {
     // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
@@ -268,6 +292,7 @@ void settle_times(Reading& r) {
         scene.water.gravity = 0;
     scene.motion.ramp = r.ramp.value_or(default_ramp(scene));
     if (scene.hull_is_free()) scene.hull->free->motion.release = r.hull->free->release.value_or(scene.motion.ramp);
+    settle_end(scene, s.run);
     fill_times(scene);
     check_free_hull(scene, s);
     if (!r.overrides.interface.empty()) scene.fvm.interface = r.overrides.interface;
@@ -325,6 +350,7 @@ void settle_effects(Reading& r) {
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
     std::string text = read_text_within(file, largest_document);
     TextValue document = parse_document(text, file);
+    forget_auto_duration(document);
     apply(overrides, document);
     Reading r{.sections = split_sections(file, document), .overrides = overrides};
     r.scene.file = file;

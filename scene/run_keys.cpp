@@ -101,7 +101,10 @@ Rows run_keys() {
         {.name = "duration", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::duration),
          .fallback = "ramp + 3 L/U, below Froude number 1 at least ramp + 32 pi U/g, of a free hull five heaves more (check tells); 10 sqrt(H/g) in a tank "
                      "of water height H",
-         .meaning = "Simulated time; a longer run of the same scene has the same hash."},
+         .meaning = "Simulated time; a longer run of the same scene has the same hash. With stop = \"settled\" the most that a run may take; without it (or as \"auto\") a hull that is held in a stream stops when its loads have settled."},
+        {.name = "stop", .kind = Kind::choice, .choices = {"auto", "settled", "duration"}, .slot = slot(&Scene::run, &Run::stop),
+         .meaning = "What ends a run of a hull held in a stream: its duration, or, before that, that drag, lift and trim "
+                    "moment have settled. \"auto\": settled where no duration is written, else the duration."},
         {.name = "methods", .kind = Kind::choices, .choices = method_names(),
          .slot = slot(&Scene::run, &Run::methods),
          .meaning = "Which methods are run: particles (sph), OpenFOAM (fvm) or both."},

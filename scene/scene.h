@@ -163,7 +163,10 @@ struct Sampling {
 };
 
 struct Run {
-    double duration = 0;  ///< [s]
+    double duration = 0;        ///< [s]; where the run stops as soon as its loads have settled, the most it may take
+    std::string stop = "auto";  ///< what ends it: settled, duration; while the scene is read also auto
+    double wave_period = 0;     ///< of the waves that the start leaves, for the means of such a run [s]; 0: none
+    bool stops_when_settled() const { return stop == "settled"; }
     std::vector<std::string> methods = method_names();
     int threads = 0;             ///< 0: all cores
     int ranks = 1;               ///< processes that share the particles

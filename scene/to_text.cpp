@@ -308,12 +308,14 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     if (s.mean_from > 0) out += fmt::format("means from {:.4g} s; ", s.mean_from);
     out += fmt::format("{} pressure and {} height probes\n", s.pressure.size(), s.height.size());
     if (p.snapshots > 0) out += fmt::format("  snapshots {:.0f} sets of ParaView files\n", p.snapshots);
-    out +=
-        fmt::format("run         {:.4g} s, particle sound speed {:.4g} m/s{}\n", scene.run.duration, scene.sph.c0,
-                    water_strikes_plate(scene) ? fmt::format(", the water's fall {:.4g} m/s and its jets more, as it "
-                                                             "strikes an elastic plate",
-                                                             explained_speed(scene))
-                                               : "");
+    out += fmt::format(
+        "run         {}{:.4g} s{}, particle sound speed {:.4g} m/s{}\n",
+        scene.run.stops_when_settled() ? "at most " : "", scene.run.duration,
+        scene.run.stops_when_settled() ? ", until drag, lift and trim moment have settled" : "", scene.sph.c0,
+        water_strikes_plate(scene) ? fmt::format(", the water's fall {:.4g} m/s and its jets more, as it "
+                                                 "strikes an elastic plate",
+                                                 explained_speed(scene))
+                                   : "");
     if (s.mean_from > 0 && scene.run.duration <= s.mean_from)
         out += "  note      the run ends before the means begin: no settled mean can be given\n";
     out += start_up_text(scene, p);

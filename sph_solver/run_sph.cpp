@@ -15,6 +15,7 @@
 #include "scene/hash.h"
 #include "scene/new_record.h"
 #include "scene/refined_places.h"
+#include "scene/run_end.h"
 #include "scene/time_left.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/choose_passes.h"
@@ -99,9 +100,7 @@ private:
         if (!options_.resume || !holds_run) return {};
         if (fs::exists(files_.record())) {
             RunRecord before = read_record(files_.record());
-            if (before.state == "finished" && before.attributes["run_hash"] == hash_ &&
-                before.numbers["duration"] >= duration_)
-                return before;
+            if (before.attributes["run_hash"] == hash_ && is_complete(scene_, before)) return before;
         }
         earlier_ = earlier_run(files_, hash_);
         return {};
@@ -195,7 +194,7 @@ private:
                         .duration = duration_ - time_at_start_,
                         .steps = options_.predicted_steps});
         try {
-            while (simulation_->time() < duration_) {
+            while (simulation_->time() < duration_ && !settled_) {
                 {
                     const PhaseTimer timer(record(), "solving", &files_);
                     simulation_->step();
@@ -219,8 +218,10 @@ private:
     /// What is due after a step: rows of the record, a picture, a checkpoint.
     void put_out(RunWatch& watch) {
         const double time = simulation_->time();
-        const bool last = time >= duration_, frame = last || time >= next_frame_;
+        const bool at_bound = time >= duration_, frame = at_bound || time >= next_frame_;
         recorder_->after_step(*simulation_, frame);
+        if (frame && !at_bound && ranks_.largest(may_end(scene_, record()) ? 1 : 0) > 0) settled_ = time;
+        const bool last = at_bound || settled_;
         if (frame) watch.after_frame(record()), next_frame_ = next_after(time, scene_.sampling.interval);
         const bool picture = last || time >= next_snapshot_, checkpoint = frame && !last && time >= next_checkpoint_;
         if (picture || checkpoint) files_.finish();  // so that one output at a time takes memory
@@ -323,7 +324,8 @@ private:
         put_checkpoint(at_end);
         files_.write(std::move(at_end));
         files_.finish();
-        RunRecord end = end_as("finished", "");
+        const std::string reason = note_end(scene_, record(), settled_);
+        RunRecord end = end_as("finished", reason);
         report();
         return end;
     }
@@ -344,7 +346,8 @@ private:
     const Scene& scene_;
     const RunOptions& options_;
     std::string hash_;
-    double duration_;  // [s]
+    double duration_;                // [s]; the run's bound where it ends as soon as its loads have settled
+    std::optional<double> settled_;  // when they had [s]
     const Comm& ranks_;
     bool on_gpu_;
     std::optional<FolderLock> lock_;  // of the first rank

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/left_out.h"
 #include "methods/methods.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "compare/gates/gate_list.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "record/certificate.h"
 
 namespace tw {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "compare/gates/gate_list.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/reference/planing.h"
 #include "meshes/shedding_edges.h"
 #include "record/force_names.h"

@@ -6,7 +6,7 @@
 #include "compare/gates/gate_list.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/water_kept.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 

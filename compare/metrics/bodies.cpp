@@ -10,11 +10,11 @@
 #include <set>
 
 #include "base/numbers.h"
-#include "compare/align/time_bins.h"
+#include "statistics/time_bins.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/sound.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "base/numbers.h"
-#include "compare/align/time_bins.h"
+#include "statistics/time_bins.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/solid_voxels.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -7,7 +7,7 @@
 #include "compare/metrics/entry_voxels.h"
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/wave_surface.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 namespace {

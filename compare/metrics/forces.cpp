@@ -8,31 +8,15 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/quantity.h"
-#include "compare/read/record_numbers.h"
-#include "compare/statistics/settled_mean.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
+#include "record/record_numbers.h"
+#include "statistics/flow_through.h"
+#include "statistics/settled_loads.h"
+#include "statistics/settled_mean.h"
 
 namespace tw {
-
-double flow_through_time(const RunRecord& record) {
-    const double speed = number_of(record, "speed", 0), length = number_of(record, "length", 0);
-    if (!(speed > 0) || !(length > 0)) return 0;
-    const double trim = number_of(record, "trim", 0), draft = number_of(record, "draft", 0);
-    double wet = trim > 0 && draft > 0 ? std::min(length, draft / std::sin(trim)) : length;
-    if (const Column* c = record.series("samples", "wetted_length")) {
-        std::vector<double> known;
-        const auto& time = record.tables.at("samples").time;
-        for (std::size_t i = 0; i < c->values.size(); ++i)
-            if (c->values[i] > 0 && time[i] >= number_of(record, "mean_from", 0)) known.push_back(c->values[i]);
-        if (!known.empty()) {
-            std::ranges::nth_element(known, known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2));
-            wet = std::min(length, known[known.size() / 2]);
-        }
-    }
-    return wet / speed;
-}
 
 MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
                   const CompareOptions& options, double allowed_error) {
@@ -192,8 +176,10 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
         Quantity q = quantity(comparison, f.name, f.label, unit(f.unit), f.definition, [&](const RunRecord& r) {
             const bool pressure_only =
                 leave_friction_out && !moment && has_friction(r) && r.series("forces", f.pressure);
-            return mean_of(r, "forces", pressure_only ? f.pressure : f.column, options,
-                           moment ? 1e-3 * lift * length : 0);
+            MeanValue m =
+                mean_of(r, "forces", pressure_only ? f.pressure : f.column, options, moment ? 1e-3 * lift * length : 0);
+            widen_where_ended(r, m, moment ? 0.1 * lift * length : 0);
+            return m;
         });
         if (leave_friction_out)
             q.remark = moment ? "friction included where solved" : "friction left out on both sides";
@@ -259,6 +245,7 @@ void add_total_drag(Comparison& comparison, const CompareOptions& options) {
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         MeanValue total = mean_of(r, "forces", "fx", options);
+        widen_where_ended(r, total);
         const bool solved = has_friction(r);
         const MeanValue friction = solved ? mean_of(r, "forces", "fx_viscous", options, HUGE_VAL) : line.values[i];
         if (total.known && !solved) {

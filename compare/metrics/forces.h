@@ -8,10 +8,6 @@ namespace tw {
 MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
                   const CompareOptions& options, double allowed_error = 0);
 
-/// Length over speed [s]: the settled wetted length where the record knows it, else what the undisturbed water would
-/// wet; 0 in a tank.
-double flow_through_time(const RunRecord& record);
-
 /// Drag, lift and trim moment of the water on the hull (judged) and what stands beside them (not judged): pressure and
 /// friction parts, the air's part and the total of a method that solves air, ventilation index and friction corrected
 /// for it, SPH's three force measures and their spread. Where only one side has friction, pressure parts are compared

@@ -8,7 +8,7 @@
 
 #include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/hull_motion.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "compare/compare.h"
-#include "compare/statistics/sustained_oscillation.h"
+#include "statistics/sustained_oscillation.h"
 
 namespace tw {
 

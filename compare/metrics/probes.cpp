@@ -6,13 +6,14 @@
 #include <numeric>
 #include <set>
 
-#include "compare/align/time_bins.h"
+#include "statistics/flow_through.h"
+#include "statistics/time_bins.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/readings.h"
 #include "compare/metrics/sound.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 
 namespace tw {

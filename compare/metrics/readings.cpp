@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/metrics/probe_peaks.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "methods/methods.h"
 
 namespace tw {

@@ -9,7 +9,7 @@
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/solid_voxels.h"
 #include "compare/metrics/wave_surface.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/numbers.h"
-#include "compare/align/time_bins.h"
+#include "statistics/time_bins.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/sound.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "record/force_names.h"
 

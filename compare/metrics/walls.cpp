@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/quantity.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 

@@ -7,7 +7,7 @@
 
 #include "compare/metrics/raster_columns.h"
 #include "compare/metrics/solid_voxels.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "record/raster_grid.h"
 
 namespace tw {

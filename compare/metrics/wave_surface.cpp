@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

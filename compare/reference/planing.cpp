@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "record/hull_motion.h"
 #include "record/planing_plate.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "compare/metrics/quantity.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/left_out.h"
 #include "compare/verdict/quantity_kinds.h"

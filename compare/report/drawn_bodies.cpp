@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/view3d_mesh.h"
 #include "meshes/section.h"
 #include "record/hull_motion.h"

@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "compare/align/time_bins.h"
-#include "compare/read/record_numbers.h"
+#include "statistics/time_bins.h"
+#include "record/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/resolution_picture.h"

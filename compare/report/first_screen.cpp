@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 #include "compare/gates/gates.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/escape.h"

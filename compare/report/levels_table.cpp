@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "methods/methods.h"
 
 namespace tw {

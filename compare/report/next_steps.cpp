@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/quantity_kinds.h"

@@ -25,7 +25,7 @@
 
 #include "base/errors.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/egl_window.h"
 #include "compare/report/hull_pressure.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/drawn_bodies.h"

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/left_out.h"
 
 namespace tw {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/silhouette.h"
 #include "compare/report/svg_plot.h"
 #include "methods/methods.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "compare/metrics/raster_columns.h"
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/report/colours.h"
 #include "compare/report/drawn_bodies.h"
 #include "compare/report/escape.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "compare/statistics/student_t.h"
+#include "statistics/student_t.h"
 
 namespace tw {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "compare/statistics/student_t.h"
+#include "statistics/student_t.h"
 #include "compare/uncertainty/triplet.h"
 #include "text/plain_number.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <Eigen/Dense>
 
-#include "compare/statistics/student_t.h"
+#include "statistics/student_t.h"
 
 namespace tw {
 

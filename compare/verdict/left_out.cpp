@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "record/force_names.h"

@@ -113,6 +113,48 @@ TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {
     EXPECT_NEAR(by_surface / by_pairs, 1, 0.05);
 }
 
+// A run that has ended because its loads had settled is gone on with as if it never had.
+TEST(KillAndResume, ARunThatHasSettledGoesOnToTheSameBits) {
+    const ScratchFolder folder("settled");
+    const auto scene = folder.path() / "scene.toml";
+    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
+    const auto put = [&](const std::string& old, const std::string& now) {
+        for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + now.size()))
+            text.replace(at, old.size(), now);
+    };
+    put("\"0.05 m\"", "\"0.0625 m\"");
+    put("\"2 m\"", "\"1.25 m\"");
+    put("interval = \"0.05 s\"", "interval = \"0.02 s\"\nmean_from = \"0.9 s\"");
+    put("\"0.4 s\"", "\"2 s\"\nstop = \"settled\"");
+    put("checkpoint = \"0.04 s\"", "checkpoint = \"0.5 s\"");
+    write_text_atomically(scene, text);
+    const auto run = [&](const char* out, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", scene.string(), "--no-twins", "--out", (folder.path() / out).string()};
+        words.insert(words.end(), more.begin(), more.end());
+        Program program(words, folder.path());
+        EXPECT_EQ(program.wait(), 0) << program.output();
+        return program.output();
+    };
+    const std::string said = run("ended", {});
+    EXPECT_NE(said.find("its loads have settled at "), std::string::npos) << said;
+    RunRecord ended = read_record(folder.path() / "ended/sph/record.h5");
+    EXPECT_EQ(ended.state, "finished");
+    EXPECT_EQ(ended.attributes["ended_by"], "settled");
+    EXPECT_EQ(ended.numbers["duration_bound"], 2);
+    const double end = ended.tables.at("samples").time.back();
+    EXPECT_EQ(ended.numbers["duration"], end);
+    ASSERT_LT(end, 1.9);
+
+    EXPECT_NE(run("ended", {"--resume"}).find("finished before"), std::string::npos) << "there is nothing left to do";
+    const std::vector<std::string> longer{"--duration", std::to_string(end + 0.1)};
+    run("whole", longer);
+    run("ended", {"--resume", longer[0], longer[1]});
+    const RunRecord gone_on = read_record(folder.path() / "ended/sph/record.h5");
+    EXPECT_GT(gone_on.tables.at("samples").time.back(), end + 0.09);
+    EXPECT_FALSE(gone_on.attributes.contains("ended_by"));
+    EXPECT_EQ(first_difference(read_record(folder.path() / "whole/sph/record.h5"), gone_on), "");
+}
+
 TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_body");
     const auto scene = folder.path() / "scene.toml";

@@ -7,7 +7,7 @@
 
 #include "compare/compare.h"
 #include "compare/metrics/hull_motion.h"
-#include "compare/statistics/sustained_oscillation.h"
+#include "statistics/sustained_oscillation.h"
 #include "record/hull_motion.h"
 
 namespace tw {

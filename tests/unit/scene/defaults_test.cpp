@@ -68,6 +68,37 @@ TEST(Defaults, TheBedIsWhereTheSceneHasItAtEverySize) {
         }
 }
 
+TEST(Defaults, AHullHeldInAStreamWithoutADurationStopsWhenItsLoadsHaveSettled) {
+    const auto run_of = [](const std::string& keys) { return with(planing, "duration = \"1.5 s\"\n", keys); };
+    const Scene free = scene_of(run_of(""));
+    EXPECT_EQ(free.run.stop, "settled");
+    EXPECT_EQ(scene_of(run_of("duration = \"auto\"\n")).run.duration, free.run.duration);
+    EXPECT_EQ(scene_of(planing).run.stop, "duration") << "as ever";
+    const Scene bound = scene_of(run_of("duration = \"1.5 s\"\nstop = \"settled\"\n"));
+    EXPECT_TRUE(bound.run.stops_when_settled());
+    EXPECT_EQ(bound.run.duration, 1.5);
+    EXPECT_EQ(bound.hash, scene_of(planing).hash) << "it answers the same question";
+    EXPECT_EQ(scene_of(run_of("stop = \"duration\"\n")).run.stop, "duration");
+    SceneOverrides longer;
+    longer.duration = 3;
+    EXPECT_EQ(scene_of(run_of("stop = \"settled\"\n"), longer).run.stop, "duration") << "who asks for a time gets it";
+    EXPECT_EQ(free.run.wave_period, 0) << "it planes";
+    const Scene slow = scene_of(with(run_of(""), "8 m/s", "1.5 m/s"));
+    EXPECT_NEAR(slow.run.wave_period, start_up_period(slow), 1e-12);
+    EXPECT_GT(slow.run.wave_period, 0);
+}
+
+TEST(Defaults, WhatDoesNotSettleIsRunToItsDuration) {
+    const std::string tank =
+        "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = "
+        "0.05\n";
+    EXPECT_EQ(scene_of(tank).run.stop, "duration");
+    const std::string why = complaint(tank + "[run]\nstop = \"settled\"\n");
+    EXPECT_NE(why.find("stop = \"settled\": only the loads on a hull that is held in a stream settle"),
+              std::string::npos)
+        << why;
+}
+
 TEST(Defaults, WithoutGravityAStreamWaitsForNoWavesAndNoWaterFalls) {
     const std::string slow = with(with(planing, "8 m/s", "1.5 m/s"), "duration = \"1.5 s\"\n", "");
     const Scene with_waves = scene_of(slow), without = scene_of(slow + "[effects]\ngravity = \"off\"\n");

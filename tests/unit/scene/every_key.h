@@ -290,6 +290,7 @@ inline std::map<std::string, Change> changes() {
         {"fvm.body_mesh", set(fixed, "fvm", "body_mesh", "\"auto\"", "\"whole\"")},
         {"run.threads", set(fixed, "run", "threads", "1", "2")},
         {"run.ranks", set(fixed, "run", "ranks", "2", "3")},
+        {"run.stop", set(fixed, "run", "stop", "\"settled\"", "\"duration\"")},
         {"run.device", set(fixed, "run", "device", "\"cpu\"", "\"auto\"")},
     };
     for (const char* key : {"density", "viscosity", "surface_tension", "gravity", "air_density", "air_viscosity"})

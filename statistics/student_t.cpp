@@ -1,4 +1,4 @@
-#include "compare/statistics/student_t.h"
+#include "statistics/student_t.h"
 
 #include <boost/math/distributions/students_t.hpp>
 

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "base/numbers.h"
-#include "compare/align/time_bins.h"
-#include "compare/statistics/error_of_mean.h"
-#include "compare/statistics/drift.h"
-#include "compare/statistics/mser.h"
-#include "compare/statistics/settled_mean.h"
-#include "compare/statistics/student_t.h"
+#include "statistics/drift.h"
+#include "statistics/error_of_mean.h"
+#include "statistics/mser.h"
+#include "statistics/settled_mean.h"
+#include "statistics/student_t.h"
+#include "statistics/time_bins.h"
 
 namespace tw {
 namespace statistics_test {
@@ -110,7 +110,7 @@ TEST(SettledMean, ASeriesWithoutValuesLateAsksForNoFurtherSeconds) {
     const std::vector<double> time{0, 1, 2, 3, 4}, values{1, 1, nan, nan, nan};
     SettledRules rules;
     rules.from = 2;
-    const MeanValue m = settled_mean(time, values, rules);
+    const SettledMean m = settled_mean(time, values, rules);
     EXPECT_FALSE(m.known);
     EXPECT_EQ(m.why_not, "no value after 2 s");
     EXPECT_EQ(m.seconds_needed, 0);
@@ -121,7 +121,7 @@ TEST(SettledMean, IntervalCoversTheTruthInNinetyTwoToNinetyEightOfAHundred) {
     const std::vector<double> t = steps(4000, 1e-3);
     int covered = 0, known = 0;
     for (int k = 0; k < 1000; ++k) {
-        const MeanValue m = settled_mean(t, ar1(4000, 0.9, 100, random), {});
+        const SettledMean m = settled_mean(t, ar1(4000, 0.9, 100, random), {});
         if (!m.known) continue;
         ++known;
         covered += std::abs(m.value - 100) <= m.half_width;
@@ -135,7 +135,7 @@ TEST(SettledMean, TheTransientIsLeftOut) {
     std::mt19937 random(12);
     std::vector<double> x = ar1(2000, 0.8, 50, random);
     for (std::size_t i = 0; i < 400; ++i) x[i] -= 50 * std::exp(-static_cast<double>(i) / 80);
-    const MeanValue m = settled_mean(steps(2000, 1e-3), x, {});
+    const SettledMean m = settled_mean(steps(2000, 1e-3), x, {});
     ASSERT_TRUE(m.known) << m.why_not;
     EXPECT_GT(m.from, 0.2);
     EXPECT_NEAR(m.value, 50, 2 * m.half_width);
@@ -157,10 +157,10 @@ TEST(SettledMean, NotKnownValuesAreLeftOut) {
     std::mt19937 random(13);
     std::vector<double> x = ar1(2000, 0.5, 10, random);
     for (std::size_t i = 0; i < x.size(); i += 7) x[i] = std::nan("");
-    const MeanValue m = settled_mean(steps(2000, 1e-3), x, {});
+    const SettledMean m = settled_mean(steps(2000, 1e-3), x, {});
     ASSERT_TRUE(m.known) << m.why_not;
     EXPECT_NEAR(m.value, 10, 2 * m.half_width);
-    const MeanValue none = settled_mean(steps(10, 1), std::vector<double>(10, std::nan("")), {});
+    const SettledMean none = settled_mean(steps(10, 1), std::vector<double>(10, std::nan("")), {});
     EXPECT_FALSE(none.known);
     EXPECT_EQ(none.seconds_needed, 0);
     EXPECT_NE(none.why_not.find("no value"), std::string::npos);
@@ -168,7 +168,7 @@ TEST(SettledMean, NotKnownValuesAreLeftOut) {
 
 TEST(SettledMean, ShortRecordsAreRefusedWithTheTimeThatIsMissing) {
     std::mt19937 random(14);
-    const MeanValue few = settled_mean(steps(100, 1e-2), ar1(100, 0.95, 10, random), {});
+    const SettledMean few = settled_mean(steps(100, 1e-2), ar1(100, 0.95, 10, random), {});
     EXPECT_FALSE(few.known);
     EXPECT_GT(few.seconds_needed, 0);
     EXPECT_NE(few.why_not.find("more is needed"), std::string::npos);
@@ -176,20 +176,20 @@ TEST(SettledMean, ShortRecordsAreRefusedWithTheTimeThatIsMissing) {
     SettledRules flow;
     flow.flow_through = 0.5;
     flow.fewest_flow_throughs = 3;
-    const MeanValue brief = settled_mean(steps(1000, 1e-3), ar1(1000, 0.2, 100, random), flow);  // one second
+    const SettledMean brief = settled_mean(steps(1000, 1e-3), ar1(1000, 0.2, 100, random), flow);  // one second
     EXPECT_FALSE(brief.known);
     EXPECT_NEAR(brief.seconds_needed, 0.5, 0.3);
 
     // Noise of 30 about 10, white: the standard error falls like 1/sqrt(T); 2 % of 10 needs (30/0.2)^2 samples.
     std::vector<double> noisy = ar1(2000, 0, 0, random);
     for (double& v : noisy) v = 10 + 30 * v;
-    const MeanValue wide = settled_mean(steps(2000, 1e-3), noisy, {});
+    const SettledMean wide = settled_mean(steps(2000, 1e-3), noisy, {});
     EXPECT_FALSE(wide.known);
     EXPECT_NEAR(wide.seconds_needed, 20.5, 8);
 
     SettledRules later;
     later.from = 5;
-    const MeanValue before = settled_mean(steps(1000, 1e-3), ar1(1000, 0, 1, random), later);
+    const SettledMean before = settled_mean(steps(1000, 1e-3), ar1(1000, 0, 1, random), later);
     EXPECT_FALSE(before.known);
     EXPECT_GE(before.seconds_needed, 4);
 }
@@ -199,7 +199,7 @@ TEST(SettledMean, AMeanThatIsNotToldFromZeroAsksForNoMoreTime) {
     std::mt19937 random(14);
     std::vector<double> noise = ar1(2000, 0, 0, random);
     for (double& v : noise) v *= 30;
-    const MeanValue none = settled_mean(steps(2000, 1e-3), noise, {});
+    const SettledMean none = settled_mean(steps(2000, 1e-3), noise, {});
     EXPECT_FALSE(none.known);
     EXPECT_EQ(none.seconds_needed, 0);
     EXPECT_NE(none.why_not.find("± 1.3, is not told from zero"), std::string::npos) << none.why_not;
@@ -213,13 +213,13 @@ TEST(SettledMean, ASlowCreepIsContainedInTheInterval) {
         for (int i = 0; i < 1000; ++i) x.push_back(2800 * (1 + share * i / 1000));
         return settled_mean(steps(1000, 1e-3), x, {});
     };
-    const MeanValue m = creeping(0.015);
+    const SettledMean m = creeping(0.015);
     ASSERT_TRUE(m.known) << m.why_not;
     EXPECT_NEAR(m.value, 2821, 12);
     EXPECT_GT(m.value + m.half_width, 2842);  // where the series has arrived
     EXPECT_LT(m.half_width, 0.02 * m.value);
     EXPECT_EQ(m.limited_by, "slow changes of the series");
-    const MeanValue steep = creeping(0.1);  // 10 % is no settled mean
+    const SettledMean steep = creeping(0.1);  // 10 % is no settled mean
     EXPECT_FALSE(steep.known);
     EXPECT_GT(steep.seconds_needed, 0);
 }
@@ -235,12 +235,12 @@ TEST(SettledMean, NoiseHidesNoDrift) {
             t.push_back(0.65 + 1e-3 * i);
             fx.push_back(412 + 15 * 1e-3 * i + 20 * normal(random));
         }
-        const MeanValue m = settled_mean(t, fx, {});
+        const SettledMean m = settled_mean(t, fx, {});
         contained += !m.known || m.value + m.half_width > 426;
         // A boat's lift that climbs by 10 % a second.
         for (int i = 0; i < 1000; ++i)
             lift[static_cast<std::size_t>(i)] = 2800 * (1 + 1e-4 * i) + 60 * lift[static_cast<std::size_t>(i)];
-        const MeanValue boat = settled_mean(steps(1000, 1e-3), lift, {});
+        const SettledMean boat = settled_mean(steps(1000, 1e-3), lift, {});
         boats_refused += !boat.known && boat.seconds_needed > 0;
     }
     EXPECT_GE(contained, 97);
@@ -257,7 +257,7 @@ TEST(SettledMean, WhatACreepWillStillChangeIsInTheInterval) {
                 std::vector<double> x = ar1(1000, 0.8, 0, random);
                 for (std::size_t i = 0; i < x.size(); ++i)
                     x[i] = 3000 * (1 - A * std::exp(-1e-3 * static_cast<double>(i) / theta)) + 6 * x[i];
-                const MeanValue m = settled_mean(steps(1000, 1e-3), x, {});
+                const SettledMean m = settled_mean(steps(1000, 1e-3), x, {});
                 known += m.known;
                 held += m.known && std::abs(m.value - 3000) <= m.half_width;
             }
@@ -272,7 +272,7 @@ TEST(SettledMean, StationarySeriesAreSeldomTakenForDriftingAndTheirMeanIsHeld) {
     for (const double rho : {0.0, 0.5, 0.8, 0.9, 0.95, 0.98}) {  // 2000 to 20 independent samples
         int known = 0, held = 0, alarms = 0;
         for (int k = 0; k < 150; ++k) {
-            const MeanValue m = settled_mean(t, ar1(2000, rho, 40, random), {});
+            const SettledMean m = settled_mean(t, ar1(2000, rho, 40, random), {});
             known += m.known;
             held += m.known && std::abs(m.value - 40) <= m.half_width;
             alarms += !m.limited_by.empty() || m.why_not.find("still changes") != std::string::npos;
@@ -302,7 +302,7 @@ TEST(Drift, TheIntervalOfASlopeUnderWhiteNoiseIsThatOfTheory) {
 }
 
 TEST(SettledMean, AConstantIsKnownExactly) {
-    const MeanValue m = settled_mean(steps(100, 1e-2), std::vector<double>(100, 0.1), {});
+    const SettledMean m = settled_mean(steps(100, 1e-2), std::vector<double>(100, 0.1), {});
     ASSERT_TRUE(m.known) << m.why_not;
     EXPECT_NEAR(m.value, 0.1, 1e-15);
     EXPECT_LT(m.half_width, 1e-12);

@@ -1,4 +1,4 @@
-#include "compare/statistics/settled_mean.h"
+#include "statistics/settled_mean.h"
 
 #include <fmt/format.h>
 
@@ -7,24 +7,24 @@
 #include <numeric>
 #include <vector>
 
-#include "compare/align/time_bins.h"
-#include "compare/statistics/drift.h"
-#include "compare/statistics/error_of_mean.h"
-#include "compare/statistics/mser.h"
+#include "statistics/drift.h"
+#include "statistics/error_of_mean.h"
+#include "statistics/mser.h"
+#include "statistics/time_bins.h"
 #include "text/plain_number.h"
 
 namespace tw {
 
 namespace {
 
-MeanValue unknown(std::string why) {
-    MeanValue m;
+SettledMean unknown(std::string why) {
+    SettledMean m;
     m.why_not = std::move(why);
     return m;
 }
 
-MeanValue too_short(MeanValue m, double more, const std::string& why) {
-    MeanValue refused;
+SettledMean too_short(SettledMean m, double more, const std::string& why) {
+    SettledMean refused;
     refused.from = m.from;
     refused.to = m.to;
     refused.n_effective = m.n_effective;
@@ -45,8 +45,8 @@ double allowed_error(const SettledRules& rules, double mean) {
 /// exp(-t/theta) the mean of a window T lacks x_inf by theta/T of the change over the window; theta is taken as the
 /// whole record, the slowest approach that it can show. Known where that is within what the permitted standard error
 /// makes of an interval.
-MeanValue drifting_mean(MeanValue m, double mean, const Drift& drift, double record_over_window,
-                        const SettledRules& rules) {
+SettledMean drifting_mean(SettledMean m, double mean, const Drift& drift, double record_over_window,
+                          const SettledRules& rules) {
     const double lacking = record_over_window * std::abs(drift.change), allowed = 2 * allowed_error(rules, mean);
     const double record = record_over_window * (m.to - m.from);
     m.n_effective = drift.n_effective;
@@ -65,7 +65,7 @@ MeanValue drifting_mean(MeanValue m, double mean, const Drift& drift, double rec
 
 }  // namespace
 
-MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules) {
+SettledMean settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules) {
     std::vector<double> t, x;
     for (std::size_t i = 0; i < std::min(time.size(), values.size()); ++i) {
         if (!(time[i] >= rules.from) || !std::isfinite(values[i])) continue;
@@ -77,11 +77,11 @@ MeanValue settled_mean(std::span<const double> time, std::span<const double> val
             return unknown("no value in the whole record");
         const double end = time.empty() ? 0 : time.back();
         if (end >= rules.from) return unknown(fmt::format("no value after {:.3g} s", rules.from));
-        MeanValue m;
+        SettledMean m;
         return too_short(m, rules.from - end + 3 * rules.flow_through,
                          fmt::format("it ends at {:.3g} s and means begin at {:.3g} s", end, rules.from));
     }
-    MeanValue m;
+    SettledMean m;
     m.from = t.front();
     m.to = t.back();
     constexpr std::size_t fewest_samples = 10;

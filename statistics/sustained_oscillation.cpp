@@ -1,4 +1,4 @@
-#include "compare/statistics/sustained_oscillation.h"
+#include "statistics/sustained_oscillation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "compare/read/record_numbers.h"
+#include "record/record_numbers.h"
 
 #include <algorithm>
 #include <charconv>

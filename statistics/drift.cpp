@@ -1,11 +1,11 @@
-#include "compare/statistics/drift.h"
+#include "statistics/drift.h"
 
 #include <limits>
 #include <numeric>
 #include <vector>
 
-#include "compare/statistics/error_of_mean.h"
-#include "compare/statistics/student_t.h"
+#include "statistics/error_of_mean.h"
+#include "statistics/student_t.h"
 
 namespace tw {
 

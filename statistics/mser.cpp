@@ -1,4 +1,4 @@
-#include "compare/statistics/mser.h"
+#include "statistics/mser.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,23 @@
 #pragma once
+#include <limits>
 #include <span>
-
-#include "compare/compare.h"
+#include <string>
 
 namespace tw {
+
+/// 95 % interval of a settled mean, or why there is none.
+struct SettledMean {
+    bool known = false;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of the 95 % interval of the mean alone
+    double from = 0, to = 0;                                       ///< the window used [s]
+    double n_effective = 0;
+    std::string why_not;        ///< "record too short: about 0.8 s more is needed"
+    double seconds_needed = 0;  ///< > 0: not known because the record is too short, by about this much [s]
+    double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
+    std::string limited_by;  ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
+    bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
+};
 
 /// What a settled mean must fulfil to be printed.
 struct SettledRules {
@@ -18,13 +32,13 @@ struct SettledRules {
 
 /// The mean of a series after its transient, with its 95 % interval:
 /// - rows whose value is not finite are left out; the rest is averaged into equal time bins (means are kept exactly);
-/// - transient cut by MSER-5 (statistics/mser.h);
-/// - a straight trend under the autocorrelated noise of the rest (statistics/drift.h). Where its change D over the window
+/// - transient cut by MSER-5 (mser.h);
+/// - a straight trend under the autocorrelated noise of the rest (drift.h). Where its change D over the window
 ///   T is seen (beyond its 95 % interval), an exponential approach with a time constant of up to the whole record,
 ///   T_record, lacks up to D T_record/T of its limit: the value is known where that is at most twice the permitted
 ///   standard error, and its half width contains it, D's own interval and the mean's;
 /// - n_eff = n / (2 tau_int), u = s / sqrt(n_eff), half width t_95 u with the degrees of freedom that a correlated
-///   series has (correlated_t_95 in statistics/error_of_mean.h);
+///   series has (correlated_t_95 in error_of_mean.h);
 /// - overlapping batch means as a second opinion: where the two differ by more than 1.5 the wider one is used and the
 ///   value is marked unreliable.
 /// A series of too few independent samples whose whole standard deviation s is within `allowed_error` or half of
@@ -32,6 +46,6 @@ struct SettledRules {
 /// about how many seconds more would do, where a rule is not met; where `largest_error` alone is allowed, none is named for
 /// a mean whose interval holds zero. A drift of less than about three and a half half
 /// widths over the window is not told from noise and not contained.
-MeanValue settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules);
+SettledMean settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules);
 
 }  // namespace tw

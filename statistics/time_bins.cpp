@@ -1,4 +1,4 @@
-#include "compare/align/time_bins.h"
+#include "statistics/time_bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "compare/statistics/error_of_mean.h"
+#include "statistics/error_of_mean.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "compare/statistics/student_t.h"
+#include "statistics/student_t.h"
 
 namespace tw {
 
