@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <thread>
 
+#include "app/jobs_by_default.h"
 #include "app/output.h"
 #include "app/side_by_side.h"
 #include "app/solvers.h"
@@ -53,6 +56,16 @@ Member member_of(const CampaignRun& run) {
     return member;
 }
 
+/// By the pace of this machine.
+JobCost cost_on_one_core(const std::string& method, const Scene& scene, int cores) {
+    Scene alone = scene;
+    alone.run.threads = 1;
+    const MethodCost cost = predict_here(alone).of(method);
+    const double least = solver_of(method).elements_per_rank;
+    const double of_it = least > 0 ? std::clamp(std::floor(cost.elements / least), 1.0, double(cores)) : cores;
+    return {cost.seconds, cost.bytes, of_it, least == 0};
+}
+
 }  // namespace
 
 int CampaignRun::ranks() const { return solver_of(method).elements_per_rank > 0 ? 1 : plan.scene.run.ranks; }
@@ -88,12 +101,35 @@ std::vector<CampaignRun> Campaign::to_make(const std::vector<CampaignRun>& runs)
     return made;
 }
 
+Sharing Campaign::sharing_of(const std::vector<CampaignRun>& made) const {
+    if (rules_.jobs > 0) return {rules_.jobs};
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<JobCost> costs;
+    for (const CampaignRun& run : made) {
+        const Scene& scene = run.plan.scene;
+        if (scene.run.threads > 0 || scene.run.ranks > 1 || scene.run.device != "cpu") return {};
+        costs.push_back(cost_on_one_core(run.method, scene, cores));
+    }
+    const SideBySideChoice choice = jobs_by_default(costs, cores, memory_for_jobs());
+    if (choice.jobs < 2) return {};
+    say(common_, fmt::format("{} runs at a time, each on one core: {} instead of {} one after another (--jobs 1)\n",
+                             choice.jobs, about_text(choice.together), about_text(choice.one_by_one)));
+    return {choice.jobs, true};
+}
+
 void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
-    const bool here = rules_.jobs < 2 && std::ranges::all_of(runs, [](const CampaignRun& r) { return r.ranks() == 1; });
-    if (here || !rules_.collect.empty()) return;
-    const std::vector<CampaignRun> made = to_make(runs);
+    const bool shared = std::ranges::any_of(runs, [](const CampaignRun& r) { return r.ranks() > 1; });
+    if (!rules_.collect.empty() || (rules_.jobs == 1 && !shared)) return;
+    // a budget is of runs one after another
+    const bool budgeted = rules_.jobs == 0 && std::isfinite(rules_.budget);
+    if (budgeted && !shared) return;
+    std::vector<CampaignRun> made = runs;
+    if (rules_.take_finished) std::erase_if(made, is_finished);
+    const Sharing sharing = sharing_of(made);
+    if (sharing.jobs < 2 && !shared) return;
+    made = to_make(runs);
     for (const CampaignRun& run : made) study.members.push_back(member_of(run));
-    const std::vector<MemberState> states = run_side_by_side(study, rules_.jobs, common_);
+    const std::vector<MemberState> states = run_side_by_side(study, sharing, common_);
     for (std::size_t k = 0; k < made.size(); ++k) {
         using State = CampaignResult::State;
         const MemberState& state = states[k];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/run_method.h"
+#include "app/side_by_side.h"
 
 namespace tw::app {
 
@@ -40,7 +41,7 @@ struct CampaignRules {
     bool overwrite = false;  ///< what is no finished run of the very same scene and numerics is run anew, not refused
     bool take_finished = true;                                ///< false: a finished run, too, is run anew
     double budget = std::numeric_limits<double>::infinity();  ///< predicted time of everything that is run here [s]
-    int jobs = 1;                                             ///< runs side by side
+    int jobs = 1;  ///< runs side by side; 0: by default, see jobs_by_default.h
     /// Nothing is run: what is not finished counts as failed. The study's folder of results; empty: it is run.
     std::filesystem::path collect = {};
     std::function<void(const Progress&)> progress = {};  ///< is told of every run made here
@@ -72,6 +73,7 @@ public:
     bool any_failed() const { return any_failed_; }
 
 private:
+    Sharing sharing_of(const std::vector<CampaignRun>& made) const;
     CampaignResult collect(const CampaignRun& run);
     std::string over_budget(double cost) const;
 

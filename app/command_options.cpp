@@ -78,8 +78,9 @@ void add_jobs(CLI::App& c, Making& making) {
     CLI::Option* jobs =
         c.add_option(
              "--jobs", making.jobs,
-             "runs side by side (1), each a process of its own; they share the cores by predicted time, but for "
-             "--threads, which each then has, and begin as cores and memory allow")
+             "runs side by side (where it is faster as many as there are cores, each on one, unless --threads is given; "
+             "else 1), each a process of its own; of N they share the cores by predicted time, but for --threads, which "
+             "each then has, and begin as cores and memory allow")
             ->check(CLI::Range(1, 1024));
     CLI::Option* collect =
         c.add_flag("--collect", making.collect,

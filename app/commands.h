@@ -25,7 +25,7 @@ struct Common {
 struct Study;
 /// How the runs of a study are made.
 struct Making {
-    int jobs = 1;          ///< side by side
+    int jobs = 0;          ///< side by side; 0: not said (jobs_by_default.h)
     bool collect = false;  ///< none is: the report is made from those that are finished
     /// Takes the study in place of running it; null: it is run. Returns the exit status.
     std::function<int(Study study, const Common& common)> hand_over = {};

@@ -28,8 +28,13 @@ using Kind = MemberState::Kind;
 
 class SideBySide {
 public:
-    SideBySide(const Study& study, int jobs, const Common& common)
-        : study_(study), jobs_(jobs), common_(common), states_(study.members.size()), bar_("runs", common.quiet) {
+    SideBySide(const Study& study, const Sharing& sharing, const Common& common)
+        : study_(study),
+          jobs_(sharing.jobs),
+          one_core_each_(sharing.one_core_each),
+          common_(common),
+          states_(study.members.size()),
+          bar_("runs", common.quiet) {
         queue_.resize(study.members.size());
         std::iota(queue_.begin(), queue_.end(), 0);
         std::ranges::stable_sort(queue_, std::greater{}, [&](std::size_t k) { return study_.members[k].seconds; });
@@ -63,7 +68,7 @@ private:
         for (const Running& r : running_) used += r.cores, bytes += study_.members[r.number].bytes;
         const Member& next = study_.members[queue_.front()];
         const int cores = cores_of(next, cores_ - used);
-        const bool room = cores <= cores_ - used && bytes + next.bytes <= 0.9 * machine_memory();
+        const bool room = cores <= cores_ - used && bytes + next.bytes <= memory_for_jobs();
         if (!room && !running_.empty()) return false;
         begin(queue_.front(), cores);
         queue_.erase(queue_.begin());
@@ -73,7 +78,7 @@ private:
     int cores_of(const Member& m, int free) const {
         if (m.request.threads > 0) return m.request.threads * m.request.ranks;
         if (const double least = solver_of(m.method).elements_per_rank; least > 0)
-            return std::clamp(static_cast<int>(m.elements / least), 1, cores_);
+            return one_core_each_ ? 1 : std::clamp(static_cast<int>(m.elements / least), 1, cores_);
         std::vector<double> waiting;
         for (std::size_t k = 0; k < queue_.size() && waiting.size() + running_.size() < static_cast<std::size_t>(jobs_);
              ++k)
@@ -84,7 +89,7 @@ private:
     void begin(std::size_t k, int cores) {
         std::vector<std::string> words{"member", study_.out.string(), std::to_string(k), "--quiet"};
         const Member& m = study_.members[k];
-        if (m.request.threads == 0 && solver_of(m.method).elements_per_rank == 0)
+        if (m.request.threads == 0 && (one_core_each_ || solver_of(m.method).elements_per_rank == 0))
             words.insert(words.end(), {"--threads", std::to_string(cores / m.request.ranks)});
         running_.push_back({k, cores,
                             std::make_unique<Child>(Command{fs::read_symlink("/proc/self/exe"), words},
@@ -132,6 +137,7 @@ private:
 
     const Study& study_;
     const int jobs_;
+    const bool one_core_each_;
     const Common& common_;
     const int cores_ = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     std::vector<MemberState> states_;
@@ -152,12 +158,14 @@ int share_of_cores(const std::vector<double>& waiting, int free) {
     return std::max(1, std::min(static_cast<int>(std::lround(part * free)), free - others));
 }
 
-std::vector<MemberState> run_side_by_side(const Study& study, int jobs, const Common& common) {
+double memory_for_jobs() { return 0.9 * machine_memory(); }
+
+std::vector<MemberState> run_side_by_side(const Study& study, const Sharing& sharing, const Common& common) {
     if (study.members.empty()) return {};
     refuse_submitted(study.out);
     write_study(study);
     choose_passes();  // found once, before the members disturb each other
-    return SideBySide(study, jobs, common).run();
+    return SideBySide(study, sharing, common).run();
 }
 
 }  // namespace tw::app
