@@ -121,11 +121,14 @@ private:
 };
 
 std::vector<Variant> variants_of(const AblateCommand& command) {
-    for (const std::string& name : command.effects) refuse_unknown_effect("--effects " + name, name);
+    std::vector<std::string> asked;
+    for (const std::string& name : command.effects) {
+        asked.push_back(present_name(name));
+        refuse_unknown_effect("--effects " + name, asked.back());
+    }
     Variants variants(command);
     for (const std::string& name : effect_names())
-        if (command.effects.empty() || std::ranges::find(command.effects, name) != command.effects.end())
-            variants.add(name);
+        if (asked.empty() || std::ranges::find(asked, name) != asked.end()) variants.add(name);
     return variants.take();
 }
 

@@ -24,7 +24,8 @@ void read(const std::string& option, const std::string& text, const char* unit, 
 /// "NAME=on" or "NAME=off".
 void read_effect(const std::string& text, std::map<std::string, bool>& effects) {
     const auto equals = text.find('=');
-    const std::string name = text.substr(0, equals), value = equals == text.npos ? "" : text.substr(equals + 1);
+    const std::string name = present_name(text.substr(0, equals)),
+                      value = equals == text.npos ? "" : text.substr(equals + 1);
     refuse_unknown_effect("--effect " + text, name);
     if (value != "on" && value != "off")
         throw InputError(fmt::format("--effect {}: expected {}=on or {}=off", text, name, name));

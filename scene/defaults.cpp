@@ -207,7 +207,7 @@ double default_sound_speed(const Scene& scene) {
 }
 
 RasterSpec default_raster(const Scene& scene, double spacing) {
-    const Box& domain = scene.domain.box;
+    const Box& domain = scene.domain.undamped;
     Box region = domain;
     const bool flat = scene.domain.dimensions == 2;
     if (scene.hull && scene.motion.kind == Motion::Kind::stream && !flat) {  // a section's jet flies far ahead of it

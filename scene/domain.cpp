@@ -8,6 +8,7 @@
 
 #include "scene/box_walls.h"
 #include "scene/defaults.h"
+#include "scene/forcing_zones.h"
 
 namespace tw {
 namespace {
@@ -75,6 +76,19 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     }
     d.box = box;
     return d;
+}
+
+/// Moves the faces outward by what the scene's forcing zones take.
+void add_zones(Domain& d, const Scene& before, Sections& s) {
+    Scene scene = before;
+    scene.domain = d;
+    const double gravity = s.effects.on_off("gravity").value_or(true) ? scene.water.gravity : 0;
+    if (!(gravity > 0) || !s.effects.on_off("forcing_zones").value_or(has_zones_by_default(scene, gravity))) return;
+    const ZoneReach reach = zone_reach(scene, gravity);
+    d.box.min.x() -= reach.ahead;
+    d.box.max.x() += reach.behind;
+    d.box.max.y() += reach.side;
+    if (d.y_min != Side::symmetry) d.box.min.y() -= reach.side;
 }
 
 /// Of a half model the part at y > 0 is solved.
@@ -158,6 +172,8 @@ Domain domain_of(const DomainOptions& o, const std::optional<Box>& tank, const S
     }
     if (scene.hull && scene.hull->half) d.y_min = Side::symmetry;
     if (o.dimensions == 2) d.y_min = d.y_max = Side::symmetry;
+    d.undamped = d.box;
+    if (stream) add_zones(d, scene, s);
     return d;
 }
 

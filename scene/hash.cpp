@@ -8,6 +8,7 @@
 #include "base/sha256.h"
 #include "methods/methods.h"
 #include "scene/edge_refinement.h"
+#include "scene/effects/registry.h"
 #include "scene/keys.h"
 
 namespace tw {
@@ -196,7 +197,10 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
                   {static_cast<double>(place.around), place.width.value_or(0), place.length.value_or(0)});
         t.add("halvings_short", {static_cast<double>(place.halvings_short)});
     }
-    for (const EffectChoice& e : scene.effects) t.add("effect." + e.name, {e.on ? 1.0 : 0.0});
+    for (const EffectChoice& e : scene.effects) {  // off, under the name that it had when the first records were made
+        const std::string& older = effect_part(e.name).older;
+        t.add("effect." + (e.on || older.empty() ? e.name : older), {e.on ? 1.0 : 0.0});
+    }
     const RasterSpec& raster = scene.sampling.raster;
     if (sizes) {
         t.add("depth", {scene.water.depth}).add("resolution", {scene.resolution.spacing, scene.resolution.near_hull});

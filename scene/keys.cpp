@@ -23,7 +23,8 @@ Rows effect_keys() {
                         .kind = Kind::on_off,
                         .hashed = Hashed::scene,
                         .fallback = "auto",
-                        .meaning = part.meaning});
+                        .meaning = part.meaning,
+                        .older = part.older});
     return rows;
 }
 

@@ -170,7 +170,9 @@ void read_sections(Reading& r) {
     read_all(s.run);
     for (auto& [method, section] : s.numerics) read_all(section);
     r.resolution = read_resolution(s.resolution);
+    s.domain.read_into(scene);
     r.domain = read_domain(s.domain);
+    s.tank.read_into(scene);
     scene.tank_motion = read_tank_motion(s.tank, r.domain.dimensions);
     r.tank = read_tank(s.tank);
     scene.water_blocks = read_water_blocks(s.water_blocks);

@@ -70,7 +70,10 @@ std::string effects_section(const SectionRow& section) {
         for (const SceneKey& key : part.keys) parameters.push_back(fmt::format("`[{}] {}`", key.section, key.name));
         out += fmt::format("| `{}` | {} | {} | {} | {} |\n", part.name, solved[static_cast<int>(part.solved)],
                            part.needs.empty() ? "-" : "`" + part.needs + "`",
-                           parameters.empty() ? "-" : fmt::format("{}", fmt::join(parameters, ", ")), part.meaning);
+                           parameters.empty() ? "-" : fmt::format("{}", fmt::join(parameters, ", ")),
+                           part.older.empty()
+                               ? part.meaning
+                               : fmt::format("{} The older name `{}` is still read.", part.meaning, part.older));
     }
     return out + "\n";
 }
@@ -105,7 +108,8 @@ std::string scene_reference() {
         "number for\n"
         "an angle is in radians. In defaults, L, B and D are length, beam and draft of the posed hull, U is the speed, "
         "H\n"
-        "the height of the water and g gravity. A number other than 0 that is smaller than 1e-18 or larger than 1e18 in "
+        "the height of the water and g gravity. A number other than 0 that is smaller than 1e-18 or larger than 1e18 "
+        "in "
         "size\n"
         "(SI) is refused, whatever the key. The column *hash* says which hash covers a key: `scene` keys change "
         "the\n"

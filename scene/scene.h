@@ -76,11 +76,20 @@ struct Domain {
               ///< there)
     /// The same before its faces were moved to multiples of the sizes: what does not depend on the resolution.
     Box as_asked;
+    /// `box` without the forcing zones that lie outside it (forcing_zones.h).
+    Box undamped;
     int dimensions = 3;  ///< 2: the x-z plane, one particle / cell thick in y
     /// The floor only ends the box, as the sides of a stream do; false: it is the bed, at the depth of the water.
     bool floor_ends_the_box = false;
     Side x_min = Side::slip_wall, x_max = Side::slip_wall, y_min = Side::slip_wall, y_max = Side::slip_wall,
          z_min = Side::slip_wall, z_max = Side::atmosphere;
+};
+
+/// Where forcing zones lie (forcing_zones.h).
+struct ZoneOptions {
+    std::string sides = "open";     ///< beside a hull in a stream: open, walls
+    std::string absorbing = "all";  ///< walls of a tank: all, x, y, x_min, ...
+    double wave_length = 0;         ///< that those of a tank absorb [m]; 0: of its wave maker
 };
 
 struct Resolution {
@@ -200,6 +209,7 @@ struct Scene {
     Water water;
     Motion motion;
     Domain domain;
+    ZoneOptions zones;
     Resolution resolution;
     std::vector<RefinedPlace> refined;
     std::vector<RefinementBox> refinement;  ///< those and what the hull asks for

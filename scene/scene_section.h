@@ -19,6 +19,7 @@ public:
     std::optional<Vec3> vector(const std::string& key) { return vector(key, row(key).unit); }
     std::optional<std::pair<double, double>> range(const std::string& key) { return range(key, row(key).unit); }
     std::optional<std::string> choice(const std::string& key);
+    std::optional<bool> on_off(const std::string& key) { return Section::on_off(written(row(key))); }
     std::optional<std::vector<std::string>> choices(const std::string& key) { return choices(key, row(key).choices); }
 
     /// Reads every key of the table's section that has a slot in the scene; what is not written is left as it is.

@@ -11,8 +11,8 @@ namespace tw {
 std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions) {
     if (!s.has("law")) {
         for (const SceneKey& key : scene_keys())
-            if (key.section == "tank" && s.has(key.name) && key.name != "size" && key.name != "min" &&
-                key.name != "max")
+            if (key.section == "tank" && s.has(key.name) && key.effect.empty() && key.name != "size" &&
+                key.name != "min" && key.name != "max")
                 s.fail(key.name,
                        "says how a tank moves, and law is missing; expected law = \"constant\", \"ramp\", "
                        "\"sinusoid\" or \"table\", or a tank at rest without this key");
@@ -37,8 +37,8 @@ std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions) {
 
 void check_tank_motion(const Scene& scene, Sections& s) {
     if (!scene.tank_motion) return;
-    if (scene.effect_on("damping_layers"))
-        s.effects.fail("damping_layers", "they hold the water to a tank at rest; remove this effect");
+    if (scene.effect_on("forcing_zones"))
+        s.effects.fail("forcing_zones", "they hold the water to a tank at rest; remove this effect");
 }
 
 double fastest_wall(const Scene& scene) {

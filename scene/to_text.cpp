@@ -14,6 +14,7 @@
 #include "scene/defaults.h"
 #include "scene/doubtful_input.h"
 #include "scene/edge_refinement.h"
+#include "scene/forcing_zones.h"
 #include "scene/mesh_motion.h"
 #include "scene/particle_levels.h"
 #include "scene/refined_places.h"
@@ -243,6 +244,18 @@ std::string zone_line(double size, const std::string& where, const Box& box, con
                        place(box.min.cwiseMax(d.box.min)), place(box.max.cwiseMin(d.box.max)));
 }
 
+/// One line for each zone, and why they are so.
+std::string zones_text(const Scene& scene) {
+    const ForcingZones plan = forcing_zones(scene);
+    std::string out;
+    for (const ForcingZone& z : plan.zones)
+        out += fmt::format("  {:13} {:.4g} m wide, {} from {:.4g} m to {:.4g} m, gamma {:.3g} 1/s\n",
+                           &z == plan.zones.data() ? "zones" : "", std::abs(z.end - z.begin), "xy"[z.axis], z.begin,
+                           z.end, z.gamma);
+    if (!plan.zones.empty()) out += fmt::format("  {:13} {}\n", "", plan.why);
+    return out;
+}
+
 }  // namespace
 
 std::string to_text(const Scene& scene, const Prediction& p) {
@@ -277,6 +290,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),
                        place(d.box.max), d.dimensions, side(d.x_min), side(d.x_max), side(d.y_min), side(d.y_max),
                        side(d.z_min), side(d.z_max));
+    out += zones_text(scene);
     if (const std::string walls = wall_warning(scene); !walls.empty()) out += "  warning   " + walls + "\n";
     out += fmt::format(
         "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",

@@ -60,6 +60,13 @@ void add_water_gates(GateList& list) {
         list.add("change of the water in the box", "%", 100 * std::abs(change->value), 1,
                  fmt::format("since the means begin, {} at {:.4g} s: a box that fills or empties has no steady mean",
                              change->value < 0 ? "less" : "more", change->time));
+    if (const auto openings = throughput(record)) {
+        list.add("particles that came or went unseen", "-", openings->unaccounted, 0,
+                 fmt::format("besides what the openings let in and out, at {:.4g} s", openings->unaccounted_at));
+        list.add("inflow less outflow", "% of the inflow", 100 * std::abs(openings->surplus), 1,
+                 fmt::format("since the means begin, {} comes in than leaves: the level drifts",
+                             openings->surplus > 0 ? "more" : "less"));
+    }
     if (const auto level = level_at_inlet(record); level && number_of(record, "depth", 0) > 0)
         list.add("level at the inlet", "% of the depth", 100 * std::abs(level->value) / number_of(record, "depth", 0),
                  1,

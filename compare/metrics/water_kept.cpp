@@ -9,6 +9,7 @@
 #include "compare/metrics/solid_voxels.h"
 #include "record/record_numbers.h"
 #include "record/raster_grid.h"
+#include "record/spray_table.h"
 
 namespace tw {
 
@@ -149,10 +150,32 @@ std::optional<Departure> change_of_water_in_box(const RunRecord& record) {
     return worst;
 }
 
+std::optional<Throughput> throughput(const RunRecord& record) {
+    const Column *count = record.series("samples", "particles"), *in = record.series("samples", "particles_in"),
+                 *out = record.series("samples", "particles_out");
+    if (!count || !in || !out || !(number_of(record, "speed", 0) > 0)) return {};
+    if (record.tables.contains(level_table(0)) || record.tables.contains(spray_table)) return {};
+    const std::vector<double>& time = record.tables.at("samples").time;
+    const double from = number_of(record, "mean_from", 0);
+    Throughput t;
+    std::optional<std::size_t> begin;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        const double by_openings = (in->values[k] - in->values[0]) - (out->values[k] - out->values[0]),
+                     missing = std::abs(count->values[k] - count->values[0] - by_openings);
+        if (missing > t.unaccounted) t.unaccounted = missing, t.unaccounted_at = time[k];
+        if (!begin && time[k] >= from) begin = k;
+    }
+    if (!begin || !(in->values.back() > in->values[*begin])) return {};
+    const double inflow = in->values.back() - in->values[*begin], outflow = out->values.back() - out->values[*begin];
+    t.surplus = (inflow - outflow) / inflow;
+    return t;
+}
+
 std::optional<Departure> level_at_inlet(const RunRecord& record) {
     const RasterGrid grid(record.raster);
     if (grid.empty() || !(number_of(record, "speed", 0) > 0)) return {};
-    const double inlet = number_of(record, "domain_x_min", std::nan(""));
+    // the raster begins where the stream is undisturbed: behind the zone that absorbs waves at the inlet
+    const double inlet = number_of(record, "undamped_x_min", number_of(record, "domain_x_min", std::nan("")));
     if (!(grid.x(0) - record.raster.voxel < inlet + record.raster.voxel)) return {};  // begins farther down the stream
     const SolidVoxels solid = solid_voxels(record);
     const int last = std::max(1, grid.nx / 10);

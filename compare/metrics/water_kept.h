@@ -33,6 +33,16 @@ std::optional<Departure> motion_at_rest(const RunRecord& record);
 /// end. A mean over a box that fills or empties is the mean of no steady flow.
 std::optional<Departure> change_of_water_in_box(const RunRecord& record);
 
+/// Of a stream of particles of one size: what its openings let in and out.
+struct Throughput {
+    double unaccounted =
+        0;  ///< particles that came or went otherwise since the start, at the worst; in books that balance 0
+    double unaccounted_at = 0;  ///< [s]
+    double surplus = 0;         ///< inflow less outflow since the means began, over the inflow [-]
+};
+/// Nothing for other runs, and for one that takes water out as droplets.
+std::optional<Throughput> throughput(const RunRecord& record);
+
 /// Of a stream without waves at its inlet: how far the mean level of the water in the tenth of the box that is nearest to
 /// the inlet lies from the still level, z = 0, in frames from `mean_from` on [m].
 std::optional<Departure> level_at_inlet(const RunRecord& record);

@@ -30,7 +30,8 @@ std::vector<EffectBound> equal_shares(const std::vector<std::string>& kinds, dou
 /// One physical effect that a run can be made with or without: everything that is said of it before a run.
 struct EffectPart {
     enum class Solved { by_both_methods, by_particles_only, by_neither };
-    std::string name;  ///< also its key in [effects]
+    std::string name;        ///< also its key in [effects]
+    std::string older = {};  ///< an older name of it, that is still read
     std::string meaning;
     Solved solved = Solved::by_both_methods;
     std::string needs = {};     ///< an effect without which this one cannot be on; earlier in the list

@@ -9,7 +9,7 @@
 
 namespace tw {
 
-std::vector<EffectChoice> plan_effects(Scene& scene, Section& section) {
+std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
     FlowNumbers flow = flow_numbers(scene);
     if (!section.on_off("gravity").value_or(true)) flow.bond = 0;  // no weight holds the surface level
     std::vector<EffectChoice> choices;
@@ -20,6 +20,8 @@ std::vector<EffectChoice> plan_effects(Scene& scene, Section& section) {
         EffectQuestion question{scene, flow, section.on_off(part.name), made(part.needs), made(part.excludes)};
         EffectChoice choice = part.plan(question);
         choice.name = part.name;
+        if (!part.older.empty() && section.has(part.older))
+            choice.reason += fmt::format("; {} is an older name of it", part.older);
         for (const std::string& words : bounds_in_words(choice.bounds)) choice.influence += "; " + words;
         if (choice.on) {
             if (question.needed && !question.needed->on)

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "text/section.h"
+#include "scene/scene_section.h"
 
 namespace tw {
 
@@ -10,6 +10,6 @@ namespace tw {
 /// (Re, We, Bo, Fr, Ma, cavitation number). What "auto" chooses, both methods solve; what only the particle method can
 /// solve is on only on request, and its reason says so. Throws InputError for an effect that cannot be on in this
 /// scene. Changes the numbers of the scene that a choice sets: gravity off, shifting off.
-std::vector<EffectChoice> plan_effects(Scene& scene, Section& section);
+std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section);
 
 }  // namespace tw

@@ -8,9 +8,9 @@
 
 // The one list of effects, in the order of the plan. Each line names a function `EffectPart NAME()` of namespace
 // tw::effect_parts, defined in scene/effects/NAME.cpp.
-#define TWINWAKE_EFFECTS(part)                                                                      \
-    part(viscosity) part(friction) part(no_slip) part(turbulence) part(surface_tension) part(air)   \
-        part(compressibility) part(gravity) part(ventilation) part(cavitation) part(damping_layers) \
+#define TWINWAKE_EFFECTS(part)                                                                     \
+    part(viscosity) part(friction) part(no_slip) part(turbulence) part(surface_tension) part(air)  \
+        part(compressibility) part(gravity) part(ventilation) part(cavitation) part(forcing_zones) \
             part(acoustic_damping) part(shifting) part(tension_control) part(dynamic_pressure)
 
 namespace tw {
@@ -30,6 +30,12 @@ std::vector<std::string> effect_names() {
     std::vector<std::string> names;
     for (const EffectPart& part : effects()) names.push_back(part.name);
     return names;
+}
+
+std::string present_name(const std::string& name) {
+    for (const EffectPart& part : effects())
+        if (!part.older.empty() && part.older == name) return part.name;
+    return name;
 }
 
 const EffectPart& effect_part(const std::string& name) {

@@ -10,6 +10,8 @@ namespace tw {
 /// [effects], `--effect`, the shell completion, `ablate` and the scene reference all read this list.
 const std::vector<EffectPart>& effects();
 std::vector<std::string> effect_names();
+/// The name of an effect that is called so, or was by an older version; others are left as they are.
+std::string present_name(const std::string& name);
 /// Throws std::logic_error for a name that no effect has.
 const EffectPart& effect_part(const std::string& name);
 

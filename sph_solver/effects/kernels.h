@@ -2,8 +2,8 @@
 // All that a device does for effects: bodies of loops, views of sweeps and, for kernels, the sweeps. A line for each file.
 #include "sph_solver/effects/acoustic_damping_loops.h"
 #include "sph_solver/effects/cavitation_loops.h"
-#include "sph_solver/effects/damping_layers_loops.h"
 #include "sph_solver/effects/dynamic_pressure_loops.h"
+#include "sph_solver/effects/forcing_zones_loops.h"
 #include "sph_solver/effects/kernel_list.h"
 #include "sph_solver/effects/moving_tank_loops.h"
 #include "sph_solver/effects/surface_tension.h"

@@ -8,7 +8,7 @@
 // namespace tw::effect_of_scene, defined in NAME.cpp, that puts the effect on the list where the scene has it on.
 #define TW_EFFECTS(effect)                                                                                    \
     effect(ventilation) effect(acoustic_damping) effect(cavitation) effect(viscosity) effect(surface_tension) \
-        effect(dynamic_pressure) effect(damping_layers) effect(moving_tank)
+        effect(dynamic_pressure) effect(forcing_zones) effect(moving_tank)
 
 namespace tw::effect_of_scene {
 

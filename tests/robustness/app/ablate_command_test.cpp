@@ -138,7 +138,7 @@ TEST_F(AblateCommand, WrongArgumentsAreRefusedBeforeTheWorkAndLeaveNothing) {
     EXPECT_EQ(refused({"--effects", "surface_tensoin"}),
               "--effects surface_tensoin: there is no effect 'surface_tensoin'; expected one of: viscosity, friction, "
               "no_slip, "
-              "turbulence, surface_tension, air, compressibility, gravity, ventilation, cavitation, damping_layers, "
+              "turbulence, surface_tension, air, compressibility, gravity, ventilation, cavitation, forcing_zones, "
               "acoustic_damping, shifting, tension_control, dynamic_pressure; did you mean 'surface_tension'?\n");
     EXPECT_NE(refused({"--effects", "compressibility"})
                   .find("none of these effects can be switched; compressibility: cannot be switched: "),

@@ -121,8 +121,8 @@ TEST_F(Ranks, EffectsHaveTheSameBytes) {
     const fs::path scene = folder.path() / "scene.toml";
     write_text_atomically(scene, column_on_an_obstacle);
     std::vector<std::string> on;
-    for (const char* effect :
-         {"viscosity", "no_slip", "turbulence", "surface_tension", "ventilation", "cavitation", "acoustic_damping"})
+    for (const char* effect : {"viscosity", "no_slip", "turbulence", "surface_tension", "ventilation", "cavitation",
+                               "acoustic_damping", "forcing_zones"})
         on.insert(on.end(), {"--effect", std::string(effect) + "=on"});
     on.insert(on.end(), {"--duration", "0.1s"});
     same_for_any_ranks(scene, folder.path(), {3}, on);
@@ -222,7 +222,7 @@ void goes_on_with_another_number_of_ranks(const std::string& text, const Scratch
 
 TEST_F(Ranks, ARunWithTwoSizesGoesOnWithAnotherNumberOfRanks) {
     const ScratchFolder folder("ranks_resume_sizes");
-    goes_on_with_another_number_of_ranks(column_and_fine_particles(), folder);
+    goes_on_with_another_number_of_ranks(column_and_fine_particles() + "[effects]\nforcing_zones = \"on\"\n", folder);
     for (const char* of : {"births", "spray"}) EXPECT_GT(last(folder.path() / "ranks_1/sph", 1, of), 10) << of;
 }
 

@@ -134,6 +134,46 @@ TEST(WaterKept, ABoxThatFillsFailsACheck) {
     EXPECT_NEAR(filled->value, 41.4, 1e-9);
 }
 
+/// Of particles, with what has gone through its openings, row by row; means from the second row on.
+RunRecord stream_of_particles(const std::vector<double>& count, const std::vector<double>& in,
+                              const std::vector<double>& out) {
+    RunRecord r = stream(std::vector<double>(count.size(), 1000), 0);
+    Table& t = r.table("samples");
+    t.column("particles", "-").values = count;
+    t.column("particles_in", "-").values = in;
+    t.column("particles_out", "-").values = out;
+    return r;
+}
+
+TEST(WaterKept, ParticlesThatVanishFailTheirCheck) {
+    const char* const unseen = "particles that came or went unseen";
+    EXPECT_TRUE(gate(stream_of_particles({900, 905, 903, 903}, {0, 100, 200, 300}, {0, 95, 197, 297}), unseen)->pass);
+    const auto gone = gate(stream_of_particles({900, 905, 902, 903}, {0, 100, 200, 300}, {0, 95, 197, 297}), unseen);
+    ASSERT_TRUE(gone);
+    EXPECT_FALSE(gone->pass);
+    EXPECT_EQ(gone->value, 1);
+    EXPECT_FALSE(gate(stream({1000, 1000}, 0), unseen)) << "a run of cells has none";
+}
+
+TEST(WaterKept, AStreamThatTakesInMoreThanItLetsOutFailsACheck) {
+    const auto filling = [](double kept) {
+        return gate(stream_of_particles({900, 900 + kept, 900 + 2 * kept, 900 + 3 * kept}, {0, 100, 200, 300},
+                                        {0, 100 - kept, 200 - 2 * kept, 300 - 3 * kept}),
+                    "inflow less outflow");
+    };
+    EXPECT_TRUE(filling(0.9)->pass);
+    EXPECT_FALSE(filling(2)->pass);
+    EXPECT_NEAR(filling(2)->value, 2, 1e-9);
+}
+
+TEST(WaterKept, TheLevelIsThatBehindTheZoneAtTheInlet) {
+    RunRecord r = stream({1000, 1000}, 0.05);
+    r.numbers["domain_x_min"] -= 1;
+    EXPECT_FALSE(gate(r, "level at the inlet")) << "the raster begins farther down the stream";
+    r.numbers["undamped_x_min"] = r.numbers["domain_x_min"] + 1;
+    EXPECT_FALSE(gate(r, "level at the inlet")->pass);
+}
+
 TEST(WaterKept, ALevelThatHasLeftTheScenesFailsACheck) {
     EXPECT_TRUE(gate(stream({1000, 1000}, 0), "level at the inlet")->pass);
     const auto raised = gate(stream({1000, 1000}, 0.05), "level at the inlet");

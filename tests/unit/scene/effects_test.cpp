@@ -158,7 +158,7 @@ TEST(Effects, ThickSlowWaterIsViscousAndSmallThingsFeelTheSurface) {
 TEST(Effects, ARunWithAnEffectIsAnotherRun) {
     const Scene plain = scene_of(planing);
     for (const char* name :
-         {"viscosity", "surface_tension", "cavitation", "damping_layers", "acoustic_damping", "tension_control"}) {
+         {"viscosity", "surface_tension", "cavitation", "forcing_zones", "acoustic_damping", "tension_control"}) {
         const Scene s = scene_of(planing + "[effects]\n" + name + " = \"on\"\n");
         EXPECT_NE(s.hash, plain.hash) << name;
         EXPECT_TRUE(s.effect_on(name));

@@ -71,7 +71,7 @@ TEST(TankMotion, IsRefusedWhereItCannotBeMeant) {
 
 TEST(TankMotion, IsRefusedWithWhatIsNotSolvedInIt) {
     expect_complaint(swaying + "[motion]\nkind = \"stream\"\nspeed = 1\n", "no stream");
-    expect_complaint(swaying + "[effects]\ndamping_layers = \"on\"\n", "tank at rest");
+    expect_complaint(swaying + "[effects]\nforcing_zones = \"on\"\n", "tank at rest");
 }
 
 TEST(TankMotion, TakesHullsAndBodiesAlong) {

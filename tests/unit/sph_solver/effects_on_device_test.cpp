@@ -7,7 +7,7 @@
 #include "on_device.h"
 #include "sph_solver/effects/acoustic_damping.h"
 #include "sph_solver/effects/cavitation.h"
-#include "sph_solver/effects/damping_layers.h"
+#include "sph_solver/effects/forcing_zones.h"
 #include "sph_solver/effects/moving_tank.h"
 #include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/effects/viscosity.h"
@@ -44,12 +44,9 @@ TEST_F(OnDevice, AcousticDampingIsThatOfTheHost) { expect_the_same_run_with({Aco
 
 TEST_F(OnDevice, TheCutOffOfCavitationToo) { expect_the_same_run_with({Cavitation{-100}}, dam_break(), 60); }
 
-TEST_F(OnDevice, DampingLayersToo) {
-    DampingLayers layers;
-    layers.layers = {{0, true, 0.6}, {1, false, 0.1}, {2, true, 0.8}};
-    layers.strength = 20;
-    layers.velocity = Vec3(-0.2, 0, 0);
-    expect_the_same_run_with({layers}, dam_break(), 60);
+TEST_F(OnDevice, ForcingZonesOfSeveralWidthsAndStrengthsToo) {
+    expect_the_same_run_with(
+        {ZoneForcing{{{0, true, 0.4, 1.0, 20}, {1, false, 0.1, 0.0, 5}, {0, false, 0.1, 0.0, 40}}}}, dam_break(), 60);
 }
 
 TEST_F(OnDevice, ViscosityOfWaterThatWallsTankAndAMovingBodyHold) {

@@ -9,7 +9,7 @@
 
 #include "sph_solver/effects/acoustic_damping.h"
 #include "sph_solver/effects/cavitation.h"
-#include "sph_solver/effects/damping_layers.h"
+#include "sph_solver/effects/forcing_zones.h"
 #include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/effects/viscosity.h"
 #include "sph_solver/simulation.h"
@@ -67,7 +67,7 @@ TEST(OffIsFree, ACheckpointDoesNotGrow) {
         s.threads = 1;
         if (on) {
             s.effects = {AcousticDamping{}, Cavitation{}, Viscosity{1e-3, true, EddyViscosity{}}, SurfaceTension{},
-                         DampingLayers{{{0, true, 0.2}}, 1, Vec3::Zero()}};
+                         ZoneForcing{{{0, true, 0.8, 1.0, 1}}}};
         }
         Simulation simulation(s, fill_with_fluid(s, {Box{Vec3(0, -1, 0), Vec3(0.5, 1, 0.5)}}));
         for (int k = 0; k < 5; ++k) simulation.step();

@@ -8,7 +8,6 @@
 #include "meshes/generate.h"
 #include "sph_solver/effects/acoustic_damping.h"
 #include "sph_solver/effects/cavitation.h"
-#include "sph_solver/effects/damping_layers.h"
 #include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/effects/viscosity.h"
 #include "sph_solver/simulation.h"
@@ -377,35 +376,6 @@ TEST(SurfaceTension, ADropOscillatesWithRayleighsPeriod) {
         exact, 100 * (coarse / exact - 1), 100 * (narrow / exact - 1), 100 * (fine / exact - 1));
     EXPECT_NEAR(coarse / exact, 1, 0.09);
     EXPECT_NEAR(fine / exact, 1, 0.05);
-}
-
-/// A hump of water spreads in a tank; half of its waves run to the right, where a layer takes them.
-TEST(DampingLayers, TakeTheWavesThatReachThem) {
-    const auto energy_left = [](bool on) {
-        SimulationSetup s;
-        s.dimensions = 2;
-        s.dp = 0.025;
-        s.state_equation.c0 = 20;
-        s.domain = {Vec3(-2, -1, -0.4), Vec3(2, 1, 0.5)};
-        s.mirrors.on = {{{true, true}, {false, false}, {true, false}}};
-        if (on) s.effects.push_back(DampingLayers{{{0, false, 1.0}, {0, true, 1.0}}, 20, Vec3::Zero()});
-        Fluid water =
-            fill_with_fluid(s, {{Vec3(-2, -1, -0.4), Vec3(2, 1, 0)}, {Vec3(-0.2, -1, 0), Vec3(0.2, 1, 0.05)}});
-        Simulation simulation(s, water);
-        double energy = 0;
-        int samples = 0;
-        while (simulation.time() < 5) {
-            simulation.step();
-            if (simulation.time() < 4) continue;
-            const Particles& p = simulation.particles();
-            for (std::size_t i = 0; i < p.size(); ++i) energy += double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i];
-            ++samples;
-        }
-        return energy / samples;
-    };
-    const double with = energy_left(true), without = energy_left(false);
-    std::printf("Damping layers: %.2f %% of the waves' energy is left after two passages\n", 100 * with / without);
-    EXPECT_LT(with, 0.1 * without);
 }
 
 }  // namespace effects_test

@@ -7,37 +7,32 @@
 
 namespace tw {
 
-/// Adds the rates of damping_layers.h.
-struct DampInLayers {
-    struct Layer {
+/// Adds the rates of forcing_zones.h.
+struct ForceInZones {
+    struct Zone {
         int axis;
-        bool high;
-        double face, width;  ///< [m]
+        double begin, per_length;  ///< [m], 1 / (end - begin) [1/m]
+        double gamma;              ///< [1/s]
     };
     static constexpr int most = 6;  ///< as many as a domain has faces
 
     StateView p;
     const Kind* kind;
     RateRecord* rate;
-    Layer layers[most];
+    Zone zones[most];
     int count;
-    double strength;   ///< [1/s]
-    double stream;     ///< [m/s]
-    V3<double> moved;  ///< way of the layers [m]
+    double stream;  ///< [m/s]
 
     void operator()(std::size_t i) const {
         if (!follows_the_equations(kind[i])) return;
-        const V3<double> x{p.x[i] - moved.x, p.y[i] - moved.y, p.z[i] - moved.z};
-        double s = 0;
+        double by = 0;
         for (int k = 0; k < count; ++k) {
-            const Layer& l = layers[k];
-            const double at = l.axis == 0 ? x.x : l.axis == 1 ? x.y : x.z;
-            const double inside = l.high ? l.face - at : at - l.face;
-            s = std::max(s, 1 - inside / l.width);
+            const Zone& z = zones[k];
+            const double at = z.axis == 0 ? p.x[i] : z.axis == 1 ? p.y[i] : p.z[i];
+            const double s = std::min((at - z.begin) * z.per_length, 1.0);
+            if (s > 0) by = std::max(by, z.gamma * s * s);
         }
-        if (s <= 0) return;
-        s = std::min(s, 1.0);
-        const double by = strength * s * s;
+        if (by == 0) return;
         RateRecord& r = rate[i];
         r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - stream));
         r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));

@@ -1,0 +1,72 @@
+#include "scene/forcing_zones.h"
+
+#include <fmt/format.h>
+
+#include "scene/box_walls.h"
+#include "scene/effects/part.h"
+
+namespace tw::effect_parts {
+namespace {
+
+std::string reason_of(const EffectQuestion& q, bool by_default) {
+    const Scene& scene = q.scene;
+    if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
+    if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
+    if (by_default) return "waves can stand and travel upstream in this stream: its ends would reflect them";
+    return scene.hull && planes(scene)
+               ? fmt::format("Fr = {:.3g}: waves leave the domain before the sides reflect them", q.flow.froude)
+               : "the stream is faster than the fastest wave in water as deep as the box: none travels upstream";
+}
+
+EffectChoice plan_forcing_zones(const EffectQuestion& q) {
+    const bool by_default = has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
+    EffectChoice c = q.choice(by_default);
+    c.reason = reason_of(q, by_default);
+    c.influence = by_default
+                      ? influence("a multiple of it, growing with time", "as the level drifts", "waves at the ends")
+                      : influence("below 1 %", "below 1 %", "waves near the sides");
+    const Box &all = q.scene.domain.box, &open = q.scene.domain.undamped;
+    c.cost = all.volume() / open.volume() - 1 + 0.01;
+    return c;
+}
+
+}  // namespace
+
+EffectPart forcing_zones() {
+    return {
+        .name = "forcing_zones",
+        .older = "damping_layers",
+        .meaning =
+            "Zones along the outer faces that draw the water to the undisturbed flow and so absorb waves; in a "
+            "stream outside the box, in a tank inside.",
+        .needs = "gravity",
+        .plan = plan_forcing_zones,
+        .keys = {{.section = "domain",
+                  .name = "sides",
+                  .kind = SceneKey::Kind::choice,
+                  .choices = {"open", "walls"},
+                  .hashed = SceneKey::Hashed::scene,
+                  .slot = slot(&Scene::zones, &ZoneOptions::sides),
+                  .meaning = "Beside a hull in a stream: open water, with zones that absorb waves, or walls, as of a "
+                             "towing tank.",
+                  .later = true},
+                 {.section = "tank",
+                  .name = "absorbing",
+                  .kind = SceneKey::Kind::choice,
+                  .choices = {"all", "x", "y", "x_min", "x_max", "y_min", "y_max"},
+                  .hashed = SceneKey::Hashed::scene,
+                  .slot = slot(&Scene::zones, &ZoneOptions::absorbing),
+                  .meaning = "Which walls of a tank have a zone inside that absorbs waves.",
+                  .later = true},
+                 {.section = "tank",
+                  .name = "wave_length",
+                  .unit = "m",
+                  .range = positive,
+                  .hashed = SceneKey::Hashed::scene,
+                  .slot = slot(&Scene::zones, &ZoneOptions::wave_length),
+                  .fallback = "of the body that oscillates most slowly, else an eighth of the tank",
+                  .meaning = "Length of the waves that the zones of a tank absorb, and their width.",
+                  .later = true}}};
+}
+
+}  // namespace tw::effect_parts

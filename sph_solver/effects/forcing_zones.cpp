@@ -1,0 +1,51 @@
+#include "sph_solver/effects/forcing_zones.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sph_solver/effects/forcing_zones_loops.h"
+#include "sph_solver/effects/registry.h"
+
+namespace tw {
+namespace {
+
+class InZones : public Effect {
+public:
+    explicit InZones(ZoneForcing options) : o_(std::move(options)) {
+        if (o_.zones.size() > std::size_t{ForceInZones::most})
+            throw std::logic_error("more forcing zones than a domain has faces");
+    }
+
+    void add_rates(const StepView& step) override {
+        ForceInZones force{.p = step.p,
+                           .kind = step.kind,
+                           .rate = step.rate,
+                           .zones = {},
+                           .count = static_cast<int>(o_.zones.size()),
+                           .stream = step.around.stream ? step.around.stream->velocity(step.time) : 0};
+        for (std::size_t k = 0; k < o_.zones.size(); ++k) {
+            const ForcingZone& z = o_.zones[k];
+            force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma};
+        }
+        step.each(step.n, force);
+    }
+    double largest_step(const LevelSetup&, double) const override {
+        double strongest = 0;
+        for (const ForcingZone& z : o_.zones) strongest = std::max(strongest, z.gamma);
+        return 0.5 / strongest;
+    }
+
+private:
+    ZoneForcing o_;
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> make_effect(const ZoneForcing& options) { return std::make_unique<InZones>(options); }
+
+void effect_of_scene::forcing_zones(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
+    ForcingZones plan = tw::forcing_zones(scene);
+    if (!plan.zones.empty()) on.push_back(ZoneForcing{std::move(plan.zones)});
+}
+
+}  // namespace tw

@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "scene/forcing_zones.h"
+
+namespace tw {
+
+class Effect;
+
+/// Zones along faces of the domain that draw the velocity towards that of the undisturbed water, so that waves die out
+/// before they meet the face (scene/forcing_zones.h has the equation and its source):
+///
+///   du/dt += gamma s^2 (u_ref - u),   s from 0 at a zone's beginning to 1 at the face
+///
+/// u_ref is the velocity that the stream has at that time, or rest; where zones overlap the largest gamma s^2 counts.
+struct ZoneForcing {
+    std::vector<ForcingZone> zones;
+};
+std::unique_ptr<Effect> make_effect(const ZoneForcing& options);
+
+}  // namespace tw
