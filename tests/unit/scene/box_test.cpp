@@ -104,7 +104,7 @@ TEST(Box, WithSeveralSizesOfParticlesIsSoWideThatItsWallsAreWorthOnePerCent) {
 }
 
 TEST(Box, AShipHasItsBlockage) {
-    const Scene ship = scene_of(prism("side = 2\nbelow = 2\n", "", "1 m/s"));
+    const Scene ship = scene_of(prism("side = 2\nbelow = 2\nsides = \"walls\"\n", "", "1 m/s"));
     const WallEffect effect = wall_effect(ship);
     EXPECT_EQ(effect.of, "resistance");
     const double m = ship.hull->still.volume / (0.6 * ship.hull->still.wet_bounds.size().x() * 4 * 2);

@@ -52,7 +52,8 @@ TEST(Effects, WhatAnEffectNeedsComesFirstAndIsAskedFor) {
         EXPECT_TRUE(part.needs.empty() || before.contains(part.needs)) << part.name;
         EXPECT_TRUE(before.insert(part.name).second) << part.name << " is there twice";
         EXPECT_FALSE(part.meaning.empty()) << part.name;
-        const std::string message = complaint(planing + "[effects]\n" + part.name + " = \"on\"\n");
+        const std::string without = part.needs.empty() ? "" : part.needs + " = \"off\"\n",
+                          message = complaint(planing + "[effects]\n" + part.name + " = \"on\"\n" + without);
         EXPECT_EQ(message.find("needs " + part.needs + " = \"on\" as well") != std::string::npos, !part.needs.empty())
             << part.name << ": " << message;
         EXPECT_NE(effects_text().find(part.name), std::string::npos);
@@ -83,7 +84,11 @@ TEST(Effects, SwitchingOneChangesTheSceneHashAndItsParametersCountOnlyThen) {
         EXPECT_FALSE(without.effect_on(part.name));
         EXPECT_NE(with_it.hash, without.hash) << part.name;
         for (const SceneKey& key : part.keys) {
-            const std::string other = tank + "[" + key.section + "]\n" + key.name + " = 0.77\n";
+            const std::string header = "[" + key.section + "]\n",
+                              line = key.name + " = " +
+                                     (key.choices.empty() ? "0.77" : "\"" + key.choices.back() + "\"") + "\n",
+                              other = tank.find(header) == std::string::npos ? tank + header + line
+                                                                             : with(tank, header, header + line);
             EXPECT_NE(run_hash(scene_of(other, on), "sph"), run_hash(with_it, "sph")) << key.name;
             EXPECT_EQ(run_hash(scene_of(other, off), "sph"), run_hash(without, "sph")) << key.name;
         }

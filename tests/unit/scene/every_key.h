@@ -41,7 +41,7 @@ inline std::map<std::string, Change> changes() {
     const std::string cavitating = fixed + "[effects]\ncavitation = \"on\"\n",
                       rough = fixed + "[effects]\nviscosity = \"on\"\nturbulence = \"on\"\n",
                       damped = fixed + "[effects]\nacoustic_damping = \"on\"\n",
-                      airy = tank + "[effects]\nair = \"on\"\n";
+                      airy = tank + "[effects]\nair = \"on\"\n", zoned = "[effects]\nforcing_zones = \"on\"\n";
     const std::string gated = with(fixed, "[sph]\n", "[sph]\ngate_point = [0, 0, 0.3]\ngate_normal = [0, 0, 1]\n");
     const Surface hull = scene_of(planing).hull->surface;
     write_stl(scratch() / "a.stl", hull);
@@ -282,6 +282,9 @@ inline std::map<std::string, Change> changes() {
         {"sph.shifting", set(fixed, "sph", "shifting", "1", "2")},
         {"sph.smagorinsky", set(rough, "sph", "smagorinsky", "0.1", "0.2")},
         {"sph.acoustic_damping", set(damped, "sph", "acoustic_damping", "0.1", "0.2")},
+        {"domain.sides", set(fixed + zoned, "domain", "sides", "\"open\"", "\"walls\"")},
+        {"tank.absorbing", set(tank + zoned, "tank", "absorbing", "\"x\"", "\"y_max\"")},
+        {"tank.wave_length", set(tank + zoned, "tank", "wave_length", "0.1", "0.2")},
         {"sph.air_c0", set(airy, "sph", "air_c0", "343", "100")},
         {"water.atmospheric_pressure", set(cavitating, "water", "atmospheric_pressure", "1e5", "2e5")},
         {"water.vapour_pressure", set(cavitating, "water", "vapour_pressure", "1e3", "2e3")},
