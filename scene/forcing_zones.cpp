@@ -25,6 +25,9 @@ double largest_size(const Scene& scene) {
     return std::max(scene.resolution.spacing, std::ldexp(scene.resolution.near_hull, scene.sph.levels - 1));
 }
 
+/// The narrowest zone, and the shortest wave that one is made for [m].
+double shortest_wave(const Scene& scene) { return fewest_spacings * largest_size(scene); }
+
 bool has_open_sides(const Scene& scene) {
     return scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "open";
 }
@@ -57,8 +60,8 @@ std::string why_in_stream(const Scene& scene, double wave) {
         why +=
             fmt::format("; they are as wide as for {:.3g} m, {}", most,
                         scene.hull ? fmt::format("{:g} hull lengths", longest_of_hull) : "half the channel's length");
-    if (const double least = fewest_spacings * largest_size(scene); ahead_of_wave * wave < least)
-        why += fmt::format("; no narrower than {:g} of the largest spacings, {:.3g} m", fewest_spacings, least);
+    if (const double least = shortest_wave(scene); wave < least)
+        why += fmt::format("; they are made for {:.3g} m, {:g} of the largest spacings", least, fewest_spacings);
     if (scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "walls")
         why += "; the sides are walls, as [domain] sides says";
     return why;
@@ -68,7 +71,8 @@ ForcingZones zones_of_stream(const Scene& scene) {
     ForcingZones plan;
     const double U = scene.motion.speed, g = scene.water.gravity;
     plan.wave_length = wave_of_stream(scene, g);
-    plan.frequency = g / U;
+    // shorter waves than this the sizes do not carry; a zone as strong as for them would be a wall to longer ones
+    plan.frequency = std::min(g / U, std::sqrt(2 * pi * g / shortest_wave(scene)));
     plan.speed = U;
     plan.why = why_in_stream(scene, plan.wave_length);
     const Domain& d = scene.domain;

@@ -13,7 +13,7 @@ namespace tw {
 ///   du/dt += gamma b (u_ref - u),   b = s^2,   s from 0 at `begin` to 1 at `end`
 ///
 /// u_ref is the stream, with its ramp, or rest. Where zones overlap the largest gamma b counts. Relaxation of the
-/// velocity alone, after Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, doi:10.1016/j.oceaneng.2017.10.005.
+/// velocity alone, after Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, arXiv:1705.06940.
 struct ForcingZone {
     int axis = 0;               ///< 0 x, 1 y
     bool high = false;          ///< at the face of larger coordinate
@@ -33,7 +33,8 @@ struct ForcingZones {
 /// In a stream they lie outside the box that was asked for (`Domain::undamped`) and are made for the wave that stands in
 /// it, of length lambda and frequency g/U in the water: gamma = g/U over lambda ahead, 1.5 lambda behind, and lambda/2
 /// beside a hull in three dimensions, unless [domain] sides = "walls". Widths follow lambda up to 1.5 lengths of a hull in
-/// three dimensions, or half of a channel, and are at least eight of the largest spacings.
+/// three dimensions, or half of a channel, and are at least eight of the largest spacings; gamma is at most that of deep
+/// water's wave of that length.
 ///
 /// In a tank they lie inside, along the walls of [tank] absorbing, one wave length wide for the longest wave of a body
 /// that oscillates ([tank] wave_length), but clear of prescribed bodies and over at most half of the tank, with gamma =
