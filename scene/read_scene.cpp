@@ -337,7 +337,7 @@ void settle_places(Reading& r) {
 void settle_effects(Reading& r) {
     Scene& scene = r.scene;
     Sections& s = r.sections;
-    scene.effects = plan_effects(scene, s.effects);
+    scene.effects = plan_effects(scene, s.effects, [&](const std::string& effect) { return s.effects.on_off(effect); });
     if (!scene.places.contains("fvm.correctors")) scene.fvm.correctors = default_correctors(scene);
     scene.sph.c0 *= r.overrides.sound_speed_factor;
     check_elastic(scene, s);

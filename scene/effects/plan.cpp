@@ -9,15 +9,16 @@
 
 namespace tw {
 
-std::vector<EffectChoice> plan_effects(Scene& scene, SceneSection& section) {
+std::vector<EffectChoice> plan_effects(Scene& scene, Section& section,
+                                       const std::function<std::optional<bool>(const std::string& effect)>& asked) {
     FlowNumbers flow = flow_numbers(scene);
-    if (!section.on_off("gravity").value_or(true)) flow.bond = 0;  // no weight holds the surface level
+    if (!asked("gravity").value_or(true)) flow.bond = 0;  // no weight holds the surface level
     std::vector<EffectChoice> choices;
     for (const EffectPart& part : effects()) {
         const auto made = [&](const std::string& name) -> const EffectChoice* {
             return name.empty() ? nullptr : &*std::ranges::find(choices, name, &EffectChoice::name);
         };
-        EffectQuestion question{scene, flow, section.on_off(part.name), made(part.needs), made(part.excludes)};
+        EffectQuestion question{scene, flow, asked(part.name), made(part.needs), made(part.excludes)};
         EffectChoice choice = part.plan(question);
         choice.name = part.name;
         if (!part.older.empty() && section.has(part.older))
