@@ -33,7 +33,7 @@ constexpr LadderChoice wider_box = {.method = "",
 constexpr LadderChoice geometric_surface = {"fvm", "geometric surface", "geometric_surface",
                                             [](SceneOverrides& o) { o.interface = "isoadvector"; }, 1};
 
-/// Fewer sizes are not filled in: a fourth beside three makes their interval wider (decision 029).
+/// Fewer sizes are not filled in: a fourth beside three makes their interval wider (decision 023).
 constexpr int least_filled = 4;
 
 class Planner {

@@ -7,7 +7,7 @@
 //
 // The trailing edge is at z = Z_TE, still water at 0. Momentum gives the force normal to the plate from the thickness
 // delta of the jet that leaves forward along it, N = rho U^2 delta (1 + cos a) / sin a; delta for a given Z_TE comes
-// from free-streamline theory (docs/decisions/021). N_EXACT is N over rho0 U^2 H. The force printed is the mean of the
+// from free-streamline theory (docs/decisions/024). N_EXACT is N over rho0 U^2 H. The force printed is the mean of the
 // last 40 % of the run.
 #include <cmath>
 #include <cstdio>

@@ -137,7 +137,7 @@ void plan_refinement(CasePlan& plan) {
     const Scene& scene = *plan.scene;
     if (scene.domain.dimensions == 2) {  // cells of one size, but at the hull: its edges need more
         // snappyHexMesh halves the slab across as well, and its time to move a mesh with `empty` sides grows with the
-        // square of the cells (docs/decisions/027-two-dimensional-hulls.md)
+        // square of the cells (docs/decisions/028-shedding-edges.md)
         plan.extrude = !plan.solids.empty();
         if (!scene.hull && !plan.mesh_moves()) return;
         plan.surface_level = plan.feature_level = section_levels;

@@ -30,8 +30,8 @@ struct WallReaction {
 /// unique, their sum and moment are. What has sunk in by rounding is let out in about ten steps.
 ///
 /// Water does not get out of a gap narrower than its particles. So a body that has once been clear of a wall by `room`
-/// afterwards comes to rest that far from it, on what is left there (as tyres do, decision 041); one that starts on the wall
-/// stands on it.
+/// afterwards comes to rest that far from it, on what is left there (as tyres do, decision 038); one that starts on the
+/// wall stands on it.
 ///
 /// Motions that are locked carry what the walls give along them: a corner that no free motion moves across a wall has no
 /// reaction there, and no friction either.

@@ -36,7 +36,7 @@ constexpr double cost_of_geometric_capture = 4;       // interIsoFoam's step bes
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
 constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
 constexpr double steps_per_frame = 4;             // interFoam hits every sampling time and then regains its step slowly
-// A hull held in a stream (decision 081): the demo's members, whose snapped cells set the steps; its settings.
+// A hull held in a stream (decision 015): the demo's members, whose snapped cells set the steps; its settings.
 constexpr double held_steps_per_cell_crossing = 1.2, cost_of_held_step = 0.67;
 constexpr double start_seconds = 5;                    // self-test, and starting the programs of a case
 constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber

@@ -178,7 +178,7 @@ bool hull_held_in_stream(const Scene& scene) {
 }
 
 int default_correctors(const Scene& scene) {
-    // Measured: the loads on a held hull in a stream move by 0.1 % (docs/decisions/081-what-interfoam-spends.md); one
+    // Measured: the loads on a held hull in a stream move by 0.1 % (docs/decisions/015-interfoam-settings.md); one
     // corrector is not stable on fine meshes.
     return hull_held_in_stream(scene) ? 2 : FvmOptions{}.correctors;
 }

@@ -60,7 +60,7 @@ double default_courant(const Scene& scene);
 /// Pressure correctors of its steps.
 int default_correctors(const Scene& scene);
 /// Whether the loads of the FVM run become steady, because a stream passes a hull that is held: it then needs less than
-/// for a splash or a body that moves (docs/decisions/081-what-interfoam-spends.md). Not for sections, which may shed
+/// for a splash or a body that moves (docs/decisions/015-interfoam-settings.md). Not for sections, which may shed
 /// vortices, nor under water, with viscosity or with the surface captured geometrically, where nothing was measured. Once
 /// the effects are planned.
 bool hull_held_in_stream(const Scene& scene);

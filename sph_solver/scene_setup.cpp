@@ -110,7 +110,7 @@ ElasticSetup elastic_setup(const ElasticPlate& plate) {
 }
 
 /// The tyre meets its floor one spacing above that of the tank: water under it is a particle thick, and could not leave
-/// a narrower gap (decision 041).
+/// a narrower gap (decision 038).
 ElasticSetup elastic_setup(const ElasticTyre& tyre, double floor) {
     structure::Solid solid = solid_of(tyre);
     structure::Freedoms freedoms = freedoms_of(tyre, solid);

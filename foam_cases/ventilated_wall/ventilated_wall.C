@@ -1,7 +1,7 @@
 // Walls from which water lets go: two boundary conditions for interFoam of openfoam.com and openfoam.org (incompressibleVoF
 // from 11 on), a library of their own. tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
 // tools/build_openfoam_walls.sh for the one whose environment is loaded; what differs between them is in release.H. Theory:
-// docs/theory.md, "Walls that let water go"; measurements: docs/decisions/062-walls-that-let-go-interfoam.md.
+// docs/theory.md, "Walls that let water go"; measurements: docs/decisions/061-walls-that-let-go.md.
 //
 //     0/p_rgh         type ventilatedWallPressure;   value uniform 0;
 //     0/alpha.water   type ventilatedWallFraction;   value uniform 0;

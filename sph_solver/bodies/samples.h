@@ -53,8 +53,8 @@ struct SurfaceSamples {
     ///
     /// A quarter where a side meets the surface squarely, nearly a half under a flat bottom. The upper bound keeps clear
     /// of the noise of a wetted wall's own half (on the planing prism 0.498 to 0.525); it makes a bottom at 5 degrees to
-    /// the water 0.4 h too long, at 3 degrees 0.7 h, from 11 on nothing (decision 022). The lower bound does the same on
-    /// a deck.
+    /// the water 0.4 h too long, at 3 degrees 0.7 h, from 11 on nothing (decision 058). The lower bound does the same
+    /// on a deck.
     static double waterline_support(double theta);
     /// theta: the angle of the patch itself, cos theta = -n_z.
     bool wet(std::size_t patch) const { return points.support[patch] >= on_patch_[patch]; }

@@ -26,7 +26,7 @@ struct Move {
     /// A guard is shifted only where it has this share of the coarser level's kernel support. Where less of it is there
     /// the guards end within reach, and shifting would spread them outwards, because it takes the end for a void: the
     /// zone loses particles, and water whose kernel sums are a hundredth too small takes a hundredth more of pressure
-    /// gradient to carry itself, so it sinks (docs/decisions/050).
+    /// gradient to carry itself, so it sinks (docs/decisions/031).
     static constexpr double guard_shifted_from = 0.98;
     static constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 

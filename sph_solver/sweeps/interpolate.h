@@ -5,7 +5,7 @@ namespace tw {
 
 /// Smoothing length of the interpolation, narrower than that of the pairs (1.55): what goes through is damped less
 /// (0.13 (k h)^2 of a wave of number k) and half as many particles are visited; narrower still, the order of the
-/// particles shows (docs/decisions/050).
+/// particles shows (docs/decisions/031).
 inline constexpr double interpolation_h_over_dp = 1.2;
 
 /// Fields of one level's particles at places of another level's, see equations/first_order.h. The density is

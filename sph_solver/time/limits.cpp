@@ -8,7 +8,7 @@
 namespace tw {
 
 double stable_step(const Level& level, double cfl) {
-    // Chosen, not derived: the Courant number of the first engine, kept when that of sound was raised (decision 004).
+    // Chosen, not derived: the Courant number of the first engine, kept when that of sound was raised (decision 003).
     constexpr double acceleration_limit = 0.45;
     const LevelSetup& s = level.setup();
     const double c0 = s.state_equation.c0, h = level.h(), a = level.extremes().acceleration;

@@ -140,7 +140,7 @@ TEST(CaseFiles, TheInviscidTwinSlipsAndTheViscousOneHasWallFunctions) {
     EXPECT_SAYS(control_dict(viscous), "wallShearStress");
 }
 
-// docs/decisions/081-what-interfoam-spends.md: what was measured of a held hull's load says nothing of a splash.
+// docs/decisions/015-interfoam-settings.md: what was measured of a held hull's load says nothing of a splash.
 TEST(CaseFiles, OnlyAHullHeldInAStreamIsSolvedWithSettingsThatCostLess) {
     const Scene held = planing_scene();
     const CasePlan plan = plan_case(held, v1912);

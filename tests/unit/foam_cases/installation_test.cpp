@@ -159,7 +159,7 @@ TEST_F(InstallationTest, RanksKeepTheReleasesLibrariesAndTheFolderIsTheCase) {
     EXPECT_NE(told.find("PWD=" + folder.string() + "\n"), std::string::npos) << told;
 }
 
-// 5 % of a run's time (docs/decisions/081-what-interfoam-spends.md); who sets one of them gets it.
+// 5 % of a run's time (docs/decisions/015-interfoam-settings.md); who sets one of them gets it.
 TEST_F(InstallationTest, ProgramsKeepTheirMemoryUnlessTheUserSaysOtherwise) {
     set("WM_PROJECT_DIR", release("v2506", "2506").string());
     set("MALLOC_TOP_PAD_", "4096");

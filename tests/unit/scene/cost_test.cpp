@@ -86,7 +86,7 @@ TEST(Cost, CellsRoundABodyThatMovesArePredictedAsTheyAreMade) {
 }
 
 TEST(Cost, StepsOfAHeldHullAreThoseOfItsSnappedCellsWhateverTheFrames) {
-    // Made by interFoam v1912 to 1.6 s: docs/decisions/081-what-interfoam-spends.md.
+    // Made by interFoam v1912 to 1.6 s: docs/decisions/015-interfoam-settings.md.
     for (const auto& [scale, made] : {std::pair{2.0, 219.0}, {1.4142, 410.0}}) {
         SceneOverrides o;
         o.scale_resolution = scale;
