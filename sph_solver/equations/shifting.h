@@ -40,7 +40,8 @@ struct Shifting {
 };
 
 /// Within 2h of a free surface shifting goes along it only: towards it, it would pump water up for ever
-/// (docs/decisions/024). The direction N_i = sum_j grad_i W_ij V_j over the neighbours j at the surface points towards it:
+/// (docs/decisions/024). The direction N_i = sum_j grad_i W_ij V_j over the neighbours j at the surface points towards
+/// it:
 ///
 ///   s_i -= (s_i . N_i) N_i / |N_i|^2
 inline void keep_along_surface(const V3<float>& N, float N2, V3<float>& s) {
