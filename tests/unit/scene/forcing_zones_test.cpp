@@ -68,8 +68,8 @@ TEST(ForcingZones, OfASlowChannelLieOutsideTheBoxThatWasAskedFor) {
 }
 
 TEST(ForcingZones, AreAbsentWhereNoWaveStandsAndChangeNoHashThere) {
-    for (const std::string& text :
-         {planing, channel("1.5 m/s"), channel("0.7 m/s", "[effects]\ngravity = \"off\"\n")}) {
+    for (const std::string& text : {planing, planing + "[domain]\nbelow = 10\n", channel("1.5 m/s"),
+                                    channel("0.7 m/s", "[effects]\ngravity = \"off\"\n")}) {
         const Scene s = scene_of(text);
         EXPECT_FALSE(s.effect_on("forcing_zones")) << text;
         EXPECT_EQ(s.domain.box.min, s.domain.undamped.min);
