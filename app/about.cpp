@@ -51,6 +51,8 @@ const char* const about_openfoam =
     "                     program runs in OpenFOAM's environment; the run's folder has the same path there (--bind)\n"
     "  neither            Debian's package with the interFoam of tools/build_openfoam_solvers.sh, then the usual "
     "places\n"
-    "Walls that let water go need a library; tools/build_openfoam_walls.sh builds it for the release that is loaded.\n";
+    "Walls that let water go and zones that absorb waves need libraries; tools/build_openfoam_walls.sh builds them for "
+    "the\n"
+    "release that is loaded.\n";
 
 }  // namespace tw::app

@@ -7,6 +7,7 @@
 #include "record/hull_motion.h"
 #include "record/run_record.h"
 #include "scene/edge_refinement.h"
+#include "scene/forcing_zones.h"
 #include "scene/mesh_motion.h"
 #include "scene/scene.h"
 
@@ -31,7 +32,7 @@ struct Patch {
 struct AxisCells {
     std::vector<double> planes;  ///< [m], ascending
     std::vector<int> cells;      ///< one fewer than planes
-    double last_grows = 1;       ///< size of the last block's last cell over that of its first
+    std::vector<double> grows;   ///< of each block: size of its last cell over that of its first
 };
 /// A closed surface that is cut out of the mesh.
 struct Solid {
@@ -46,6 +47,12 @@ struct BodyInMesh {
     MovingBody body;
     /// Name of the function object that writes its forces.
     std::string forces() const { return "forces_" + patch; }
+};
+
+/// Zones that draw the flow to a velocity (foam_cases/forcing_zones).
+struct ZoneSource {
+    Vec3 velocity = Vec3::Zero();  ///< [m/s]
+    std::vector<ForcingZone> zones;
 };
 
 /// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which
@@ -100,6 +107,8 @@ struct CasePlan {
     std::string wall_library;
     std::string walls;                    ///< what holds of them, for the record
     double inlet_k = 0, inlet_omega = 0;  ///< [m2/s2], [1/s]
+    ZoneSource zones;                     ///< that absorb waves
+    std::string zone_library;             ///< of them (foam_cases/forcing_zones); empty without zones
 
     // time
     double write_interval = 0;  ///< [s]; hull pressures (and so the water's force) are sampled at it

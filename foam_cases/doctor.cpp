@@ -109,8 +109,8 @@ std::vector<fs::path> project_folders(const std::string& preferred) {
     return out;
 }
 
-/// Folders that may hold solvers built by tools/build_openfoam_solvers.sh, and beside themselves the libraries of walls
-/// built by tools/build_openfoam_walls.sh.
+/// Folders that may hold solvers built by tools/build_openfoam_solvers.sh, and beside themselves the libraries built by
+/// tools/build_openfoam_walls.sh.
 std::vector<fs::path> mended_folders() {
     std::vector<fs::path> out;
     if (const fs::path p = environment_path("TWINWAKE_OPENFOAM_BIN"); !p.empty()) out.push_back(p);
@@ -122,14 +122,27 @@ std::vector<fs::path> mended_folders() {
     return out;
 }
 
+constexpr const char *walls_file = "libventilatedWall.so", *zones_file = "libforcingZones.so";
+
 /// Built by tools/build_openfoam_walls.sh for this release; empty: none.
-fs::path wall_library_for(const OpenFoam& found) {
+fs::path library_for(const OpenFoam& found, const char* file) {
     for (const fs::path& folder : mended_folders()) {
-        fs::path library =
-            folder.parent_path() / "walls" / (found.vendor + "-" + found.version) / "libventilatedWall.so";
+        fs::path library = folder.parent_path() / "walls" / (found.vendor + "-" + found.version) / file;
         if (std::error_code none; fs::exists(library, none)) return library;
     }
     return {};
+}
+
+void take_libraries(OpenFoam& found) {
+    found.wall_library = library_for(found, walls_file);
+    found.zone_library = library_for(found, zones_file);
+}
+
+/// Built by tools/build_openfoam_solvers.sh with the solver; empty: none.
+fs::path library_beside(const fs::path& solver_folder, const char* file) {
+    fs::path library = solver_folder.parent_path() / "lib" / file;
+    std::error_code none;
+    return fs::exists(library, none) ? library : fs::path();
 }
 
 bool belongs_to(const OpenFoam& found, const std::string& preferred) {
@@ -144,6 +157,7 @@ bool belongs_to(const OpenFoam& found, const std::string& preferred) {
 std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
     if (const std::vector<std::string> prefix = openfoam_prefix(); !prefix.empty()) {
         OpenFoam found = openfoam_behind(prefix);
+        take_libraries(found);
         if (found.verdict.empty()) self_test(found);
         return {found};
     }
@@ -169,12 +183,12 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                 OpenFoam mended = *debian;
                 mended.solver = folder / "interFoam";
                 mended.verdict.clear();
-                mended.wall_library = folder.parent_path() / "lib" / "libventilatedWall.so";
-                if (!fs::exists(mended.wall_library)) mended.wall_library.clear();
+                mended.wall_library = library_beside(folder, walls_file);
+                mended.zone_library = library_beside(folder, zones_file);
                 add(mended);
             }
     for (OpenFoam& f : installed) {
-        f.wall_library = wall_library_for(f);
+        take_libraries(f);
         add(f);
     }
     std::erase_if(all, [&](const OpenFoam& f) { return !belongs_to(f, preferred); });

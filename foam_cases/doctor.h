@@ -23,8 +23,8 @@ OpenFoam sound_openfoam(const std::string& preferred = {});
 OpenFoam openfoam_for(const Scene& scene);
 /// A full pipe of water, turned about two axes, pushed from rest by 1000 Pa over 1 m for 0.1 s without friction: exact
 /// answer 0.1 m/s along the pipe in every cell. Axis-aligned pipes hide the fault of miscompiled solvers. Sound below
-/// 1e-4 m/s. Where a library of walls is beside the solver the pipe has such walls; one that does not load or changes the
-/// answer is left out.
+/// 1e-4 m/s. Where a library of walls is beside the solver the pipe has such walls, and where one of zones, a zone gives
+/// half of the push; a library that does not load or spoils the answer is left out.
 void self_test(OpenFoam& candidate);
 
 }  // namespace tw

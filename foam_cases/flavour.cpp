@@ -47,6 +47,8 @@ bool Flavour::end_of_object() const { return vendor == Vendor::org; }
 bool Flavour::tables_in_files() const { return vendor == Vendor::com; }
 bool Flavour::expressions() const { return vendor == Vendor::com; }
 std::string Flavour::cell_selection() const { return org_from(*this, 13) ? "cellZone" : "select"; }
+std::string Flavour::sources_file() const { return org_from(*this, 9) ? "fvModels" : "fvOptions"; }
+bool Flavour::has_forcing_zones() const { return vendor == Vendor::com || number >= 12; }
 bool Flavour::motion_in_parts() const { return org_from(*this, 13); }
 
 Dictionary Flavour::motion_solver(std::string_view name, std::string_view library_name,

@@ -55,6 +55,10 @@ struct Flavour {
     bool tables_in_files() const;  ///< openfoam.com: a prescribed motion is a file beside its dictionary, else in it
     /// What chooses cells, of a function object or a moving mesh: select; openfoam.org from 13: cellZone.
     std::string cell_selection() const;
+    /// Of constant/: fvOptions; openfoam.org from 9: fvModels.
+    std::string sources_file() const;
+    /// openfoam.com, and openfoam.org from 12: what foam_cases/forcing_zones is written for.
+    bool has_forcing_zones() const;
     /// openfoam.org from 13: translation and rotation, or acceleration, angular velocity and angular acceleration, are
     /// tables of their own.
     bool motion_in_parts() const;

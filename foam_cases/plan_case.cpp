@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "foam_cases/axis_cells.h"
 #include "foam_cases/one_way.h"
 #include "foam_cases/release.h"
 #include "foam_cases/viscous_steps.h"
@@ -259,37 +260,20 @@ void grow_upwards(CasePlan& plan) {
     AxisCells& z = plan.axes[2];
     if (more < plan.background_cell) return;
     z.planes.push_back(z.planes.back() + more);
-    z.last_grows = std::clamp(more / plan.background_cell, 1.0, 4.0);
-    const double mean = z.last_grows > 1.01 ? (z.last_grows - 1) / std::log(z.last_grows) : 1;
+    z.grows.push_back(std::clamp(more / plan.background_cell, 1.0, 4.0));
+    const double mean = z.grows.back() > 1.01 ? (z.grows.back() - 1) / std::log(z.grows.back()) : 1;
     z.cells.push_back(std::max(1, static_cast<int>(std::lround(more / (mean * plan.background_cell)))));
 }
 
 }  // namespace
-
-AxisCells split_axis(double low, double high, double spacing, std::vector<double> wanted) {
-    AxisCells axis;
-    std::sort(wanted.begin(), wanted.end());
-    axis.planes = {low};
-    for (const double plane : wanted) {
-        const auto fits = [&](double from, double to) {  // both in whole cells within 25 %
-            const double n = (to - from) / spacing;
-            return n > 0.75 && std::abs(n / std::max(1.0, std::round(n)) - 1) <= 0.25;
-        };
-        if (plane > low && plane < high && fits(axis.planes.back(), plane) && fits(plane, high))
-            axis.planes.push_back(plane);
-    }
-    axis.planes.push_back(high);
-    for (std::size_t i = 1; i < axis.planes.size(); ++i)
-        axis.cells.push_back(
-            std::max(1, static_cast<int>(std::lround((axis.planes[i] - axis.planes[i - 1]) / spacing))));
-    return axis;
-}
 
 CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     CasePlan plan;
     plan.scene = &scene;
     plan.flavour = flavour;
     plan.stream = scene.motion.kind == Motion::Kind::stream;
+    const ForcingZones zones = forcing_zones(scene);
+    plan.zones = {Vec3(zones.speed, 0, 0), zones.zones};
     plan.viscous = scene.effect_on("viscosity");
     plan.no_slip = scene.effect_on("no_slip");
     plan.turbulent = scene.effect_on("turbulence");
@@ -329,10 +313,10 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
         for (const Obstacle& o : scene.obstacles)
             if (is_aligned_box(o.surface))
                 wanted.insert(wanted.end(), {o.surface.bounds().min[a], o.surface.bounds().max[a]});
-        plan.axes[static_cast<std::size_t>(a)] = split_axis(box.min[a], box.max[a], plan.background_cell, wanted);
+        plan.axes[static_cast<std::size_t>(a)] = axis_with_zones(scene, a, plan.background_cell, wanted);
     }
     if (plan.mesh_motion.whole_mesh()) grow_upwards(plan);
-    if (scene.domain.dimensions == 2) plan.axes[1] = {{box.min.y(), box.max.y()}, {1}};
+    if (scene.domain.dimensions == 2) plan.axes[1] = {{box.min.y(), box.max.y()}, {1}, {1}};
     if (plan.snappy) plan.point_in_fluid = find_point_in_fluid(plan);
 
     const double length = scene.hull ? scene.hull->length : box.size().x();
@@ -353,6 +337,30 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     return plan;
 }
 
+namespace {
+
+/// Without the library waves and the level would come back from the ends, and no result would say so.
+void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
+    if (plan.zones.zones.empty()) return;
+    plan.zone_library = openfoam.zone_library.string();
+    if (!plan.zone_library.empty()) return;
+    const std::string remedy =
+        !plan.flavour.has_forcing_zones() ? "they are written for openfoam.com and for openfoam.org from 12"
+        : !openfoam.prefix.empty() ? "tools/build_openfoam_walls.sh, started behind TWINWAKE_OPENFOAM_PREFIX, builds "
+                                     "it; its folder has to have "
+                                     "the same path there"
+        : openfoam.solver.parent_path() == openfoam.bin
+            ? "tools/build_openfoam_walls.sh builds it in the environment of that release"
+            : "tools/build_openfoam_solvers.sh .openfoam builds it";
+    throw InputError(fmt::format(
+        "this scene has forcing zones, which absorb the waves that the ends of the water would throw back, and {} {} "
+        "({}) has no library of them that works: {}; or switch them off by forcing_zones = \"off\" in [effects], and "
+        "drag and level depend on the size of the box",
+        openfoam.vendor, openfoam.version, openfoam.command(), remedy));
+}
+
+}  // namespace
+
 CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
     CasePlan plan = plan_case(scene, Flavour::from_version(openfoam.vendor, openfoam.version));
     // In a tank that is closed all round no volume can come in.
@@ -369,6 +377,7 @@ CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
             "tools/build_openfoam_solvers.sh for Debian's and Ubuntu's, by tools/build_openfoam_walls.sh for others)";
     else
         plan.walls = "let water go where air can come", plan.wall_library = openfoam.wall_library.string();
+    take_zone_library(plan, openfoam);
     return plan;
 }
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <vector>
-
 #include "foam_cases/case_plan.h"
 #include "foam_cases/openfoam.h"
 
@@ -10,11 +8,7 @@ namespace tw {
 /// that are not finite).
 CasePlan plan_case(const Scene& scene, const Flavour& flavour);
 /// The same for an installation, whose solids let water go if it has the library for it and the scene does not ask
-/// otherwise.
+/// otherwise. Throws InputError also where the scene has forcing zones and the installation no library of them.
 CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam);
-
-/// Cells of about `spacing` from `low` to `high`, with the `wanted` planes on cell faces as far as cells stay within 25
-/// % of `spacing`: a water block then begins with exactly its volume.
-AxisCells split_axis(double low, double high, double spacing, std::vector<double> wanted);
 
 }  // namespace tw

@@ -28,6 +28,19 @@ void add_graded(RefinementBox box, const Scene& scene, std::vector<RefinementBox
     }
 }
 
+/// By how much a piece of an axis has fewer cells, because they grow in zones, as a length in cells that do not [m].
+double saved_by_zones(const std::vector<ForcingZone>& zones, double cell, int axis, double low, double high) {
+    double saved = 0;
+    for (const ForcingZone& zone : zones) {
+        if (zone.axis != axis) continue;
+        const double way = zone.high ? 1 : -1, width = std::abs(zone.end - zone.begin);
+        const auto into = [&](double place) { return std::clamp(way * (place - zone.begin), 0.0, width); };
+        const double from = std::min(into(low), into(high)), to = std::max(into(low), into(high));
+        saved += to - from - cell * (cells_along_zone(to, cell) - cells_along_zone(from, cell));
+    }
+    return saved;
+}
+
 /// Nested boxes: every piece of space counts at the finest level that covers it.
 double cells_in_boxes(const Scene& scene, const std::vector<RefinementBox>& boxes) {
     std::array<std::set<double>, 3> cuts;
@@ -39,6 +52,10 @@ double cells_in_boxes(const Scene& scene, const std::vector<RefinementBox>& boxe
             for (const double face : {r.box.min[a], r.box.max[a]})
                 c.insert(std::clamp(face, domain.min[a], domain.max[a]));
     }
+    const std::vector<ForcingZone> zones = grown_zones(scene);
+    const auto between = [&](int axis, double low, double high) {
+        return high - low - saved_by_zones(zones, background_cell(scene), axis, low, high);
+    };
     double cells = 0;
     const auto each = [](const std::set<double>& c, auto&& use) {
         for (auto low = c.begin(); std::next(low) != c.end(); ++low) use(*low, *std::next(low));
@@ -50,7 +67,7 @@ double cells_in_boxes(const Scene& scene, const std::vector<RefinementBox>& boxe
                 int level = 0;
                 for (const RefinementBox& r : boxes)
                     if (r.box.contains(middle)) level = std::max(level, r.level);
-                const double volume = (x1 - x0) * (y1 - y0) * (z1 - z0);
+                const double volume = between(0, x0, x1) * between(1, y0, y1) * (z1 - z0);
                 const double edge = cell_at(scene, level);
                 cells += volume / (scene.domain.dimensions == 2 ? edge * edge * (domain.max.y() - domain.min.y())
                                                                 : edge * edge * edge);
@@ -71,6 +88,15 @@ double background_cell(const Scene& scene) {
 int finest_halvings(const Scene& scene) {
     const double ratio = background_cell(scene) / scene.resolution.near_hull;
     return ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
+}
+
+std::vector<ForcingZone> grown_zones(const Scene& scene) {
+    if (scene.motion.kind != Motion::Kind::stream) return {};
+    return forcing_zones(scene).zones;
+}
+
+double cells_along_zone(double width, double cell) {
+    return std::log1p((growth_in_zones - 1) * width / cell) / std::log(growth_in_zones);
 }
 
 std::vector<RefinementBox> boxes_round_bodies(const Scene& scene) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/forcing_zones.h"
 
 namespace tw {
 
@@ -15,6 +15,17 @@ int finest_halvings(const Scene& scene);
 /// How often cells are halved along the surfaces of hull and bodies in two dimensions. With none the stream does not
 /// leave the trailing edge of a plate: it turns round it into the cell behind (docs/results/planing_plate.md).
 inline constexpr int section_levels = 2;
+
+/// Along a forcing zone each cell is so much longer than the one before it, so that the last, where waves have gone, is
+/// as long as a fifth of the zone and one more of the first.
+inline constexpr double growth_in_zones = 1.2;
+/// How many cells a zone of this width has along itself, the first of the size `cell`: the sum of their lengths is
+///
+///   width = cell (q^n - 1) / (q - 1),   q = growth_in_zones
+double cells_along_zone(double width, double cell);
+/// The zones in which cells grow: those of a stream, which lie outside the box that was asked for. In a tank they lie
+/// inside, where bodies and solids may be.
+std::vector<ForcingZone> grown_zones(const Scene& scene);
 
 /// At least so many cells of one size lie between two others (nCellsBetweenLevels).
 inline constexpr int cells_between_levels = 3;

@@ -6,17 +6,18 @@
 # Here the same source is compiled with that keyword switched off. `twinwake doctor` proves the result by a flow whose
 # answer is known exactly.
 #
-#   tools/build_openfoam_solvers.sh FOLDER [solver ...]   -> FOLDER/bin/interFoam, FOLDER/lib/libventilatedWall.so
+#   tools/build_openfoam_solvers.sh FOLDER [solver ...]   -> FOLDER/bin/interFoam, FOLDER/lib/libventilatedWall.so,
+#                                                            FOLDER/lib/libforcingZones.so
 #
 # Solvers: interFoam (always), interIsoFoam, potentialFoam. About 40 s per solver on two cores, 0.4 GB of disk while it
-# builds (JOBS=n sets the compiler processes). The library is twinwake's own (foam_cases/ventilated_wall, 10 s): walls
-# that let water go where air can come. No system setting is touched, and no root right is needed. Does nothing when all
-# is there, the solvers start and belong to the installed package, and the library to its source. Needs: openfoam,
-# dpkg-dev, g++, make, flex, libopenmpi-dev, zlib1g-dev.
+# builds (JOBS=n sets the compiler processes). Two libraries are twinwake's own (10 s): walls that let water go where air
+# can come (foam_cases/ventilated_wall), and zones that absorb waves (foam_cases/forcing_zones). No system setting is
+# touched, and no root right is needed. Does nothing when all is there, the solvers start and belong to the installed
+# package, and the libraries to their source. Needs: openfoam, dpkg-dev, g++, make, flex, libopenmpi-dev, zlib1g-dev.
 set -euo pipefail
 
-wall_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases/ventilated_wall
-wall_source=$wall_folder/ventilated_wall.C
+sources=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
+declare -A libraries_of=([ventilated_wall]=libventilatedWall.so [forcing_zones]=libforcingZones.so)
 die() { echo "build_openfoam_solvers: $*" >&2; exit 1; }
 [ $# -ge 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 mkdir -p "$1"
@@ -32,7 +33,9 @@ done
 package=$(dpkg-query -W -f '${Version}' openfoam 2>/dev/null) || die "the package 'openfoam' is not installed: sudo apt-get install --no-install-recommends openfoam"
 stamp="openfoam $package, __restrict__ off"
 
-wall_stamp="$stamp, source $(cat "$wall_folder"/*.[CH] | sha256sum | cut -c1-16)"
+library_stamp() {  # of the source folder $1
+    echo "$stamp, source $(cat "$sources/$1"/*.[CH] | sha256sum | cut -c1-16)"
+}
 
 missing_solvers() {  # of the wanted ones: not here, not made from the installed package, or not able to start
     local s
@@ -41,11 +44,15 @@ missing_solvers() {  # of the wanted ones: not here, not made from the installed
             WM_PROJECT_DIR=/usr/share/openfoam "$work/bin/$s" -help >/dev/null 2>&1 || echo "$s"
     done
 }
-wall_is_there() {
-    [ "$(cat "$work/lib/stamp" 2>/dev/null)" = "$wall_stamp" ] && [ -f "$work/lib/libventilatedWall.so" ]
+missing_libraries() {
+    local name
+    for name in "${!libraries_of[@]}"; do
+        [ "$(cat "$work/lib/$name.stamp" 2>/dev/null)" = "$(library_stamp "$name")" ] &&
+            [ -f "$work/lib/${libraries_of[$name]}" ] || echo "$name"
+    done
 }
-ready() { [ -z "$(missing_solvers)" ] && wall_is_there; }
-if ready; then echo "$work: ${solvers[*]} and the library of walls are there ($stamp)"; exit 0; fi
+ready() { [ -z "$(missing_solvers)" ] && [ -z "$(missing_libraries)" ]; }
+if ready; then echo "$work: ${solvers[*]} and twinwake's libraries are there ($stamp)"; exit 0; fi
 for tool in dpkg-source g++ make flex mpicxx tar bzip2; do
     command -v "$tool" >/dev/null || die "'$tool' is missing: sudo apt-get install dpkg-dev g++ make flex libopenmpi-dev zlib1g-dev bzip2"
 done
@@ -100,15 +107,15 @@ for s in $(missing_solvers); do
     mv "$work/build/bin/$s" "$work/bin/$s"
 done
 echo "$stamp" >"$work/stamp"
-if ! wall_is_there; then
+for name in $(missing_libraries); do
     # shellcheck disable=SC2086   # the mending is two words
     g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DOPENFOAM=1912 -DWM_DP \
         -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
         -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
-        -o "$work/lib/libventilatedWall.so" "$wall_source" >>"$log" 2>&1 ||
-        die "$wall_source did not build, see $log; interFoam runs without it, and its walls then hold water"
-    echo "$wall_stamp" >"$work/lib/stamp"
-fi
+        -o "$work/lib/${libraries_of[$name]}" "$sources/$name/$name.C" >>"$log" 2>&1 ||
+        die "$sources/$name/$name.C did not build, see $log; interFoam runs without it, and \`twinwake doctor\` says what it then cannot do"
+    library_stamp "$name" >"$work/lib/$name.stamp"
+done
 rm -rf "$work/build"
 ready || die "the solvers were built but do not start, see $log and: $work/bin/interFoam -help"
-echo "$work: ${solvers[*]} and the library of walls built ($stamp)"
+echo "$work: ${solvers[*]} and twinwake's libraries built ($stamp)"

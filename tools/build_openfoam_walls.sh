@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
-# Builds twinwake's library of walls that let water go where air can come (foam_cases/ventilated_wall) for the OpenFOAM
-# whose environment is loaded: openfoam.com or openfoam.org, from a package with its sources or built by hand.
+# Builds twinwake's two libraries for the OpenFOAM whose environment is loaded (openfoam.com or openfoam.org, from a
+# package with its sources or built by hand): walls that let water go where air can come (foam_cases/ventilated_wall),
+# and zones that absorb waves (foam_cases/forcing_zones).
 #
 #   source /opt/openfoam12/etc/bashrc               # or openfoam2506, a module, ...
 #   tools/build_openfoam_walls.sh FOLDER            -> FOLDER/walls/openfoam.org-12/libventilatedWall.so
+#                                                      FOLDER/walls/openfoam.org-12/libforcingZones.so
 #
 # FOLDER is .openfoam beside twinwake's sources or ~/.local/share/twinwake/openfoam; there twinwake finds it.
-# Half a minute. `twinwake doctor` says whether walls let water go: it runs a flow with an exact answer between such
-# walls, and leaves a library out that does not load or changes the answer; without one, walls hold water under tension.
+# A minute. `twinwake doctor` says whether walls let water go and zones absorb waves: it runs a flow with an exact answer
+# between such walls and through such a zone, and leaves a library out that does not load or spoils the answer. Without
+# the first, walls hold water under tension; without the second, streams that need zones are refused.
 # For Debian's and Ubuntu's own package tools/build_openfoam_solvers.sh builds it with the solver. Needs g++ and make.
 set -euo pipefail
 
-source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases/ventilated_wall
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
 die() { echo "build_openfoam_walls: $*" >&2; exit 1; }
 [ $# = 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 [ -n "${WM_PROJECT_DIR:-}" ] && [ -n "${FOAM_SRC:-}" ] ||
@@ -30,13 +33,18 @@ mkdir -p "$1/walls/$release"
 target=$(cd "$1/walls/$release" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-mkdir "$work/Make"
-cp "$source_folder"/*.[CH] "$work"
-# wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
-printf 'ventilated_wall.C\nLIB = %s/libventilatedWall\n' "$work" >"$work/Make/files"
-# shellcheck disable=SC2016   # make's variables
-printf '%s\n' 'EXE_INC = -I$(LIB_SRC)/finiteVolume/lnInclude -I$(LIB_SRC)/meshTools/lnInclude' \
-    'LIB_LIBS = -lfiniteVolume -lmeshTools' >"$work/Make/options"
-(cd "$work" && wmake libso .) >"$work/log" 2>&1 || { cat "$work/log" >&2; die "the library did not build, see above"; }
-mv "$work/libventilatedWall.so" "$target/.new" && mv "$target/.new" "$target/libventilatedWall.so"
-echo "$target/libventilatedWall.so built for $release"
+build() {  # $1 from the folder $2
+    local folder=$work/$1
+    mkdir -p "$folder/Make"
+    cp "$source_folder/$2"/*.[CH] "$folder"
+    # wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
+    printf '%s.C\nLIB = %s/%s\n' "$2" "$folder" "$1" >"$folder/Make/files"
+    # shellcheck disable=SC2016   # make's variables
+    printf '%s\n' 'EXE_INC = -I$(LIB_SRC)/finiteVolume/lnInclude -I$(LIB_SRC)/meshTools/lnInclude' \
+        'LIB_LIBS = -lfiniteVolume -lmeshTools' >"$folder/Make/options"
+    (cd "$folder" && wmake libso .) >"$folder/log" 2>&1 || { cat "$folder/log" >&2; die "$1 did not build, see above"; }
+    mv "$folder/$1.so" "$target/.new" && mv "$target/.new" "$target/$1.so"
+    echo "$target/$1.so built for $release"
+}
+build libventilatedWall ventilated_wall
+build libforcingZones forcing_zones

@@ -50,7 +50,7 @@ std::string block_mesh_dict(const CasePlan& plan) {
                                                   List{at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
                                                        at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
                                                   List{x.cells[i], y.cells[j], z.cells[k]}, Word("simpleGrading"),
-                                                  List{1, 1, k + 1 == z.cells.size() ? z.last_grows : 1.0}}));
+                                                  List{x.grows[i], y.grows[j], z.grows[k]}}));
             }
     for (std::size_t s = 0; s < plan.sides.size(); ++s) {
         const Patch& p = plan.sides[s];

@@ -31,6 +31,7 @@ std::vector<CaseFile> case_files(const CasePlan& plan, int ranks) {
     for (CaseFile& f : phase_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : mesh_motion_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : tank_motion_files(plan)) files.push_back(std::move(f));
+    for (CaseFile& f : forcing_zones_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : turbulence_fields(plan)) files.push_back(std::move(f));
     return files;
 }

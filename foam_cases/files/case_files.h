@@ -38,7 +38,11 @@ std::string p_rgh(const CasePlan& plan);
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan);
 /// constant/fvOptions and its table; none where the tank rests.
 std::vector<CaseFile> tank_motion_files(const CasePlan& plan);
-std::vector<CaseFile> turbulence_fields(const CasePlan& plan);  ///< k, omega, nut; none in laminar flow
+/// constant/fvOptions or fvModels with the source of foam_cases/forcing_zones alone.
+std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source);
+void add_zones(const ZoneSource& source, Dictionary& sources);    ///< to the entries of that file
+std::vector<CaseFile> forcing_zones_files(const CasePlan& plan);  ///< none without zones
+std::vector<CaseFile> turbulence_fields(const CasePlan& plan);    ///< k, omega, nut; none in laminar flow
 
 std::string allrun_script(const CasePlan& plan, int ranks);
 std::string case_readme(const CasePlan& plan);

@@ -199,7 +199,10 @@ std::string control_dict(const CasePlan& plan) {
     const FvmOptions& fvm = plan.scene->fvm;
     Dictionary d{{"application", Word(plan.solver_program())}};
     if (!plan.flavour.solver_arguments().empty()) d.add("solver", Word(plan.flavour.solver_arguments().back()));
-    if (!plan.wall_library.empty()) d.add("libs", List{Quoted(plan.wall_library)});
+    List libraries;
+    for (const std::string& library : {plan.wall_library, plan.zone_library})
+        if (!library.empty()) libraries.push_back(Quoted(library));
+    if (!libraries.empty()) d.add("libs", libraries);
     d.add({{"startFrom", Word("latestTime")},
            {"startTime", 0},
            {"stopAt", Word("endTime")},

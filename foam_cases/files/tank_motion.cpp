@@ -39,11 +39,16 @@ std::vector<CaseFile> tank_motion_files(const CasePlan& plan) {
     if (!plan.scene->tank_motion) return {};
     const Flavour& f = plan.flavour;
     const TableOfAcceleration table = table_of_acceleration(plan);
+    const auto sources = [&](const Dictionary& tank) {
+        Dictionary all{{"tank", tank}};
+        add_zones(plan.zones, all);
+        return all;
+    };
     if (f.tables_in_files()) {
         const Dictionary source{{"type", Word("tabulatedAccelerationSource")},
                                 {"active", true},
                                 {"timeDataFileName", Quoted("<case>/constant/accelerationOfTank.dat")}};
-        return {{"constant/fvOptions", foam_file("dictionary", "fvOptions", {{"tank", source}})},
+        return {{"constant/fvOptions", foam_file("dictionary", "fvOptions", sources(source))},
                 {"constant/accelerationOfTank.dat", Value(table.all).text() + "\n"}};
     }
     Dictionary model{{"type", Word("sixDoFAccelerationSource")}};  // which later releases still know
@@ -53,7 +58,7 @@ std::vector<CaseFile> tank_motion_files(const CasePlan& plan) {
                    {"angularAcceleration", f.table_of_times(table.turn)}});
     else
         model.add("accelerations", f.table_of_times(table.all));
-    return {{"constant/fvModels", foam_file("dictionary", "fvModels", {{"tank", model}})}};
+    return {{"constant/fvModels", foam_file("dictionary", "fvModels", sources(model))}};
 }
 
 }  // namespace tw

@@ -10,6 +10,7 @@
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/time_folders.h"
+#include "scene/mesh_cells.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -48,8 +49,14 @@ EdgeCell edge_cell(const CasePlan& plan) {
     Vec3 cell;
     for (std::size_t a = 0; a < 3; ++a) {
         const AxisCells& axis = plan.axes[a];
-        const int cells = std::accumulate(axis.cells.begin(), axis.cells.end(), 0);
-        cell[static_cast<Eigen::Index>(a)] = (axis.planes.back() - axis.planes.front()) / cells / parts;
+        double length = axis.planes.back() - axis.planes.front();
+        int cells = std::accumulate(axis.cells.begin(), axis.cells.end(), 0);
+        for (const ForcingZone& zone : grown_zones(*plan.scene))
+            if (zone.axis == static_cast<int>(a)) {
+                length -= std::abs(zone.end - zone.begin);
+                cells -= zone.high ? axis.cells.back() : axis.cells.front();
+            }
+        cell[static_cast<Eigen::Index>(a)] = length / cells / parts;
     }
     return {cell.x(), cell.maxCoeff(), cell.prod()};
 }

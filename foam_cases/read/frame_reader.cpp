@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "foam_cases/read/body_rows.h"
 #include "foam_cases/read/field_file.h"
+#include "foam_cases/read/level_at_ends.h"
 #include "meshes/section.h"
 #include "record/certificate.h"
 #include "record/raster.h"
@@ -145,6 +146,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
                  g = std::abs(scene.water.gravity);
     double volume = 0, kinetic = 0, potential = 0, fastest = 0, too_fast = 0;
     const double limit = plan_.water_speed_limit * plan_.water_speed_limit;
+    LevelAtEnds level(scene);
     const bool to_raster = scene.sampling.raster.voxel > 0 && frame_is_due(moment.time, log, record);
     Raster raster(scene.sampling.raster);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -155,6 +157,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
         for (std::size_t i = 0; i < part.volumes.size(); ++i) {
             const double share = alpha.scalar(i), water = share * part.volumes[i];
             volume += water;
+            level.add(part.centres[i], part.volumes[i], water);
             if (to_raster) raster.pour_cell(part.centres[i], part.volumes[i], water);
             if (share <= 1e-6) continue;
             const double v2 = speed.vector(i).squaredNorm();
@@ -178,6 +181,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             {"max_speed", "m/s", std::sqrt(fastest)},
             {fast_water, "-", volume > 0 ? too_fast / volume : 0},
             {"cells", "-", static_cast<double>(cells())}});
+    level.keep(record);
     // OpenFOAM's step follows its Courant number with a delay; a multiple of the limit is a fault. Places are not
     // known.
     const Vec3 nowhere = CertificateLine{}.place;

@@ -52,6 +52,13 @@ std::optional<std::string> wrong_volume(const Steps& steps, const Limits& limits
             "the tank's water has become {:.3g} % {} by t = {:.4g} s, and none can {}: the flow has become unstable; a "
             "smaller max_alpha_courant helps",
             100 * std::abs(change), change > 0 ? "more" : "less", last.time, change > 0 ? "come in" : "leave");
+    if (std::abs(change) > limits.stream_water)
+        return fmt::format(
+            "the box of the stream holds {:.3g} % {} water than at its start at t = {:.4g} s: {} comes in than leaves, "
+            "and the ends do not hold the level; forcing_zones = \"on\" in [effects], a longer box, or a stream that "
+            "the "
+            "depth can carry helps",
+            100 * std::abs(change), change > 0 ? "more" : "less", last.time, change > 0 ? "more" : "less");
     if (last.least < -limits.fraction || last.most > 1 + limits.fraction)
         return fmt::format(
             "a cell's water fraction reached {:.3g} at t = {:.4g} s, where it is 0 to 1: the flow has become unstable; "
@@ -74,6 +81,7 @@ Limits limits_of(const CasePlan& plan) {
     limits.water_speed = plan.water_speed_limit;
     limits.air_speed = plan.air_speed_limit;
     limits.gains_no_water = scene.motion.kind == Motion::Kind::none && !plan.mesh_motion.whole_mesh();
+    if (plan.stream && !plan.mesh_motion.whole_mesh()) limits.stream_water = 0.5;
     limits.loses_no_water = limits.gains_no_water &&
                             std::ranges::none_of(plan.sides, [](const Patch& p) { return p.side == Side::atmosphere; });
     // a body or a tank that moves does work on the water

@@ -19,9 +19,10 @@ struct Limits {
     double fast_water = 1e-3;                             ///< ...that no more than this share of the water may have
     bool gains_no_water = false, loses_no_water = false;  ///< tanks; the second where they are closed
     double water = 0.02;                                  ///< share of the water that may come or go all the same
-    double fraction = 0.5;                                ///< by which any cell's water fraction may lie outside 0 to 1
-    double continuity = 1e-3;  ///< error that a step leaves, in volumes of the domain; sound runs: up to 1e-5
-    double energy_made = 0.2;  ///< of the water's height above the tank's floor at the start (energy_of_height)
+    double stream_water = 1e30;  ///< share by which the water in a stream's box may become more or less
+    double fraction = 0.5;       ///< by which any cell's water fraction may lie outside 0 to 1
+    double continuity = 1e-3;    ///< error that a step leaves, in volumes of the domain; sound runs: up to 1e-5
+    double energy_made = 0.2;    ///< of the water's height above the tank's floor at the start (energy_of_height)
 };
 /// What of them a scene has.
 Limits limits_of(const CasePlan& plan);

@@ -16,6 +16,20 @@ TEST_F(SelfTest, AtLeastOneSolverHereIsSoundAndIsTheOneThatIsUsed) {
     EXPECT_FALSE(used.version.empty());
 }
 
+// Half of the push in the pipe is then that of a zone: one that does nothing, or the other way round, spoils the answer.
+TEST_F(SelfTest, AZoneDrawsTheFlowAsImplicitEulerStepsSayOrItsLibraryIsLeftOut) {
+    OpenFoam used = sound_openfoam();
+    if (used.zone_library.empty()) GTEST_SKIP() << "no library of zones: tools/build_openfoam_solvers.sh builds it";
+    EXPECT_LT(used.self_test_error, 1e-5);
+    EXPECT_NE(used.verdict.find("forcing zones absorb waves"), std::string::npos) << used.verdict;
+    const fs::path walls = used.wall_library;
+    used.zone_library = walls;  // loads, and has no zones
+    self_test(used);
+    EXPECT_TRUE(used.sound) << used.verdict;
+    EXPECT_TRUE(used.zone_library.empty());
+    EXPECT_EQ(used.wall_library, walls);
+}
+
 /// Debian's OpenFOAM 1912 is the faulty one that this test was made for. Without it the test cannot show that it can
 /// fail.
 class PackagedSolver : public FoamTest {

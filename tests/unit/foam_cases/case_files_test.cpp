@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "base/numbers.h"
+#include "foam_cases/axis_cells.h"
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/files/times_of_table.h"
 #include "foam_cases/release.h"

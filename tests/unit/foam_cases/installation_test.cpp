@@ -115,6 +115,22 @@ TEST_F(InstallationTest, TheLibraryOfWallsIsThatOfTheRelease) {
     EXPECT_NE(sound_openfoam().verdict.find("walls hold water"), std::string::npos) << sound_openfoam().verdict;
 }
 
+TEST_F(InstallationTest, ALibraryOfZonesThatSpoilsTheAnswerIsLeftOutAndThatOfWallsIsKept) {
+    set("WM_PROJECT_DIR", release("v2506", "2506").string());
+    set("TWINWAKE_OPENFOAM_BIN", (folder / "own/bin").string());
+    const fs::path libraries = folder / "own/walls/openfoam.com-v2506";
+    fs::create_directories(libraries);
+    for (const char* file : {"libventilatedWall.so", "libforcingZones.so"}) std::ofstream(libraries / file) << "\n";
+    EXPECT_EQ(sound_openfoam().zone_library, libraries / "libforcingZones.so");
+    EXPECT_NE(sound_openfoam().verdict.find("walls let water go; forcing zones absorb waves"), std::string::npos);
+    const std::string solver = read_text(bin_of("v2506") / "interFoam");
+    program(bin_of("v2506") / "interFoam", "grep -q libforcingZones system/controlDict && exit 1\n" + solver);
+    const OpenFoam found = sound_openfoam();
+    EXPECT_TRUE(found.zone_library.empty());
+    EXPECT_EQ(found.wall_library, libraries / "libventilatedWall.so");
+    EXPECT_NE(found.verdict.find("walls let water go; forcing zones are missing"), std::string::npos) << found.verdict;
+}
+
 // interFoam of openfoam.com asks for cAlpha, openfoam.org 13 stops where it finds one.
 TEST_F(InstallationTest, TheSelfTestHasTheCompressionWhereTheReleaseReadsIt) {
     const fs::path com = release("v2506", "2506"), org = release("13", "0");
@@ -181,6 +197,11 @@ TEST_F(InstallationTest, BehindAPrefixProgramsRunInTheEnvironmentThere) {
     const OpenFoam found = sound_openfoam();
     EXPECT_EQ(found.vendor + " " + found.version, "openfoam.com v2506");
     EXPECT_EQ(found.command(), (folder / "container").string() + " exec " + (bin_of("v2506") / "interFoam").string());
+    const fs::path library = folder / ".local/share/twinwake/openfoam/walls/openfoam.com-v2506/libforcingZones.so";
+    EXPECT_TRUE(found.zone_library.empty());
+    fs::create_directories(library.parent_path());
+    std::ofstream(library) << "\n";
+    EXPECT_EQ(sound_openfoam().zone_library, library);
     const CasePrograms programs(found, folder);
     programs.run("tells", {"a b; c"}, {});
     std::string told = read_text(programs.log("tells"));

@@ -88,6 +88,13 @@ TEST(Watchdog, BarksAtWaterThatComesFromNowhereOrGoes) {
     expect_says(trouble(log_with({.water = NAN}), 1, tank), "no number");
 }
 
+TEST(Watchdog, BarksAtAStreamWhoseBoxFillsOrEmpties) {
+    const Limits stream = limits_of(plan_case(planing_scene(), Flavour{}));
+    EXPECT_FALSE(trouble(log_with({.water = 0.56}), 1, stream)) << "a splash";
+    expect_says(trouble(log_with({.water = 0.61}), 1, stream), "52.5 % more water than at its start");
+    expect_says(trouble(log_with({.water = 0.19}), 1, stream), "less comes in than leaves");
+}
+
 TEST(Watchdog, BarksAtCellsThatHoldMoreThanTheyCan) {
     expect_says(trouble(log_with({.most = 1.6}), 1, {}), "fraction reached 1.6");
     expect_says(trouble(log_with({.least = -0.6}), 1, {}), "fraction reached -0.6");

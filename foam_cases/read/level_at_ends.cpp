@@ -1,0 +1,49 @@
+#include "foam_cases/read/level_at_ends.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/forcing_zones.h"
+
+namespace tw {
+
+LevelAtEnds::LevelAtEnds(const Scene& scene)
+    : scene_(scene), ends_{End{.name = "level_at_inlet"}, End{.name = "level_at_outlet"}} {
+    watched_ = scene.motion.kind == Motion::Kind::stream && scene.water_blocks.empty() && scene.bodies.empty() &&
+               !scene.hull_is_free() && !forcing_zones(scene).zones.empty();
+    const Box& box = scene.domain.undamped;
+    const double tenth = box.size().x() / 10;
+    ends_[0].low = box.min.x(), ends_[0].high = box.min.x() + tenth;
+    ends_[1].low = box.max.x() - tenth, ends_[1].high = box.max.x();
+}
+
+void LevelAtEnds::add(const Vec3& cell, double volume, double water) {
+    if (!watched_) return;
+    for (End& end : ends_)
+        if (cell.x() > end.low && cell.x() < end.high) end.more += water - (cell.z() < 0 ? volume : 0);
+}
+
+void LevelAtEnds::keep(RunRecord& record) const {
+    if (!watched_) return;
+    Table& samples = record.table("samples");
+    const double across = scene_.domain.box.size().y();
+    for (const End& end : ends_)
+        samples.set(samples.time.size() - 1, end.name, "m", end.more / ((end.high - end.low) * across));
+
+    const std::vector<double>& level = samples.find(ends_[0].name)->values;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < level.size(); ++i)
+        if (samples.time[i] >= scene_.sampling.mean_from) sum += level[i], ++count;
+    if (count == 0) return;
+    const double depth = -scene_.domain.box.min.z();
+    const CertificateLine line{inlet_level_line, "% of the depth", 100 * std::abs(sum / count) / depth, 1,
+                               samples.time.back()};
+    const auto known = std::ranges::find(record.certificate, line.name, &CertificateLine::name);
+    if (known == record.certificate.end())
+        record.certificate.push_back(line);
+    else
+        *known = line;
+}
+
+}  // namespace tw

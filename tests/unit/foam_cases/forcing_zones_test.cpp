@@ -1,0 +1,162 @@
+// Zones that absorb waves: their source in each release's case, their cells, and the level that they are to hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/errors.h"
+#include "foam_cases/axis_cells.h"
+#include "foam_cases/files/case_files.h"
+#include "foam_cases/plan_case.h"
+#include "foam_cases/read/level_at_ends.h"
+#include "scene/mesh_cells.h"
+#include "scenes.h"
+
+namespace tw {
+namespace foam_zones_test {
+
+/// A channel of 4.5 m by 0.2 m in a stream of 0.7 m/s, cells of 10 mm, with a zone of 0.32 m ahead and one of 0.48 m
+/// behind.
+Scene channel() {
+    Scene s;
+    s.motion = {Motion::Kind::stream, 0.7, 0};
+    s.domain.dimensions = 2;
+    s.domain.undamped = {Vec3(-2, -0.005, -0.2), Vec3(2.5, 0.005, 0.1)};
+    s.domain.box = {Vec3(-2.32, -0.005, -0.2), Vec3(2.98, 0.005, 0.1)};
+    s.domain.as_asked = s.domain.undamped;
+    s.domain.x_min = Side::inlet;
+    s.domain.x_max = Side::outlet;
+    s.domain.y_min = s.domain.y_max = Side::symmetry;
+    s.resolution = {0.01, 0.01};
+    s.sampling.interval = 0.05;
+    s.run.duration = 1;
+    EffectChoice zones;
+    zones.name = "forcing_zones";
+    zones.on = true;
+    s.effects.push_back(zones);
+    return s;
+}
+
+OpenFoam installation(const char* vendor, const char* version, const char* library) {
+    OpenFoam found;
+    found.vendor = vendor, found.version = version, found.zone_library = library;
+    return found;
+}
+
+std::string text_of(const CasePlan& plan, const std::string& path) {
+    for (const CaseFile& f : case_files(plan, 1))
+        if (f.path == path) return f.text;
+    return {};
+}
+
+TEST(ForcingZonesInInterFoam, AreASourceOfMomentumOfTheReleaseAndItsLibrary) {
+    const Scene scene = channel();
+    for (const auto& [vendor, version, file] : {std::tuple{"openfoam.com", "v1912", "constant/fvOptions"},
+                                                {"openfoam.com", "v2506", "constant/fvOptions"},
+                                                {"openfoam.org", "12", "constant/fvModels"},
+                                                {"openfoam.org", "13", "constant/fvModels"}}) {
+        const CasePlan plan = plan_case(scene, installation(vendor, version, "/some where/libforcingZones.so"));
+        const std::string source = text_of(plan, file);
+        for (const char* part : {"type            forcingZones;", "velocity        (0.7 0 0);", "begin", "-2.32"})
+            EXPECT_NE(source.find(part), std::string::npos) << vendor << " " << version << ": " << source;
+        EXPECT_NE(control_dict(plan).find("(\"/some where/libforcingZones.so\")"), std::string::npos);
+    }
+}
+
+// Without them the case has no word of them.
+TEST(ForcingZonesInInterFoam, LeaveNothingBehindWhereTheyAreOff) {
+    Scene scene = channel();
+    scene.effects.back().on = false;
+    const CasePlan plan = plan_case(scene, installation("openfoam.com", "v1912", "/lib/libforcingZones.so"));
+    for (const CaseFile& f : case_files(plan, 1)) {
+        EXPECT_EQ(f.text.find("forcingZones"), std::string::npos) << f.path;
+        EXPECT_NE(f.path, "constant/fvOptions");
+    }
+}
+
+TEST(ForcingZonesInInterFoam, AreRefusedWithoutALibraryWithWhatToDo) {
+    const auto refusal = [](const OpenFoam& found) -> std::string {
+        const Scene scene = channel();
+        try {
+            plan_case(scene, found);
+        } catch (const InputError& e) { return e.what(); }
+        return "taken";
+    };
+    OpenFoam mended = installation("openfoam.com", "v1912", "");
+    mended.solver = "/own/bin/interFoam", mended.bin = "/usr/bin";
+    EXPECT_NE(refusal(mended).find("tools/build_openfoam_solvers.sh .openfoam builds it"), std::string::npos)
+        << refusal(mended);
+    OpenFoam loaded = installation("openfoam.org", "13", "");
+    loaded.solver = "/opt/openfoam13/bin/foamRun", loaded.bin = "/opt/openfoam13/bin";
+    EXPECT_NE(refusal(loaded).find("tools/build_openfoam_walls.sh builds it"), std::string::npos) << refusal(loaded);
+    loaded.version = "11";
+    EXPECT_NE(refusal(loaded).find("openfoam.org from 12"), std::string::npos) << refusal(loaded);
+    EXPECT_NE(refusal(loaded).find("forcing_zones = \"off\""), std::string::npos) << refusal(loaded);
+}
+
+// A tank's zones and the motion of the tank are sources in one file.
+TEST(ForcingZonesInInterFoam, StandBesideTheMotionOfATank) {
+    Scene scene = dam_break_scene();
+    scene.tank_motion.emplace().law = {.axis = Vec3::UnitX(), .rate = 0.1};
+    CasePlan plan = plan_case(scene, Flavour{});
+    plan.zones.zones = {{0, true, 0.4, 0.584, 10}};
+    const std::string source = text_of(plan, "constant/fvOptions");
+    EXPECT_NE(source.find("tabulatedAccelerationSource"), std::string::npos) << source;
+    EXPECT_NE(source.find("forcingZones"), std::string::npos) << source;
+    const auto files = case_files(plan, 1);
+    EXPECT_EQ(std::ranges::count(files, "constant/fvOptions", &CaseFile::path), 1);
+}
+
+// What was asked for keeps its cells; a zone has less than half of those that it would have, and begins with one as long.
+TEST(ForcingZonesInInterFoam, HaveCellsThatGrowOutwards) {
+    const Scene scene = channel();
+    const AxisCells with = axis_with_zones(scene, 0, 0.01, {}), without = split_axis(-2, 2.5, 0.01, {});
+    ASSERT_EQ(with.planes, (std::vector<double>{-2.32, -2, 2.5, 2.98}));
+    EXPECT_EQ(with.cells[1], without.cells[0]);
+    EXPECT_EQ(with.grows[1], 1);
+    const auto first = [&](std::size_t block, double width) {  // of a geometric series, next to the box
+        const double q = growth_in_zones;
+        EXPECT_NEAR(block == 0 ? 1 / with.grows[0] : with.grows[block], std::pow(q, with.cells[block] - 1), 1e-12);
+        return width * (q - 1) / (std::pow(q, with.cells[block]) - 1);
+    };
+    EXPECT_NEAR(first(0, 0.32) / 0.01, 1, 0.15) << "a whole number of cells: half a step of growth and a little";
+    EXPECT_NEAR(first(2, 0.48) / 0.01, 1, 0.15);
+    EXPECT_LT(with.cells[0] + with.cells[2], 0.5 * (32 + 48));
+    EXPECT_EQ(axis_with_zones(scene, 2, 0.01, {0}).cells, (std::vector<int>{20, 10}));
+    EXPECT_NEAR(predicted_cells(scene), 30.0 * std::accumulate(with.cells.begin(), with.cells.end(), 0), 30);
+}
+
+/// A channel of one layer of water whose level is `inlet` and `outlet` [m] in the tenths at its ends.
+RunRecord channel_with_level(const Scene& scene, double inlet, double outlet) {
+    RunRecord record;
+    for (const double time : {0.0, 0.5, 1.0}) {
+        record.table("samples").append(time);
+        LevelAtEnds level(scene);
+        const double more = time < 0.4 ? -0.05 : 0.0;  // what the start leaves, before the means
+        for (double x = -2.275; x < 2.95; x += 0.05) {
+            const double eta = x < 0 ? inlet + more : outlet, zone = x < -2 || x > 2.5 ? 1 : 0;
+            level.add(Vec3(x, 0, -0.1), 0.05 * 0.01 * 0.2, 0.05 * 0.01 * (0.2 + zone + std::min(eta, 0.0)));
+            level.add(Vec3(x, 0, 0.05), 0.05 * 0.01 * 0.1, 0.05 * 0.01 * std::max(eta, 0.0));
+        }
+        level.keep(record);
+    }
+    return record;
+}
+
+TEST(LevelAtEnds, IsTheMeanOfTheBoxesFirstAndLastTenthWithoutTheZones) {
+    Scene scene = channel();
+    scene.sampling.mean_from = 0.4;
+    const RunRecord held = channel_with_level(scene, 0.001, -0.003);
+    EXPECT_NEAR(held.series("samples", "level_at_inlet")->values.back(), 0.001, 1e-12);
+    EXPECT_NEAR(held.series("samples", "level_at_outlet")->values.back(), -0.003, 1e-12);
+    ASSERT_EQ(held.certificate.size(), 1u);
+    EXPECT_NEAR(held.certificate[0].value, 0.5, 1e-9) << "of the depth; the start does not count";
+    EXPECT_TRUE(held.certificate[0].met());
+    const RunRecord risen = channel_with_level(scene, 0.069, 0.069);
+    EXPECT_FALSE(risen.certificate.at(0).met()) << "69 of 200 mm";
+    scene.effects.back().on = false;
+    EXPECT_TRUE(channel_with_level(scene, 0.069, 0.069).certificate.empty());
+}
+
+}  // namespace foam_zones_test
+}  // namespace tw
