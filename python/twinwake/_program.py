@@ -97,8 +97,8 @@ def check(scene: Union[Mapping[str, Any], str, Path], *, options: Sequence[str] 
 
 def _write_scene(file: Path, text: str, replace: bool) -> None:
     if file.exists() and not replace and file.read_text(encoding="utf-8", errors="replace") != text:
-        raise TwinwakeError(f"{file}: there is another scene already; overwrite=True replaces it, scene_file=... writes "
-                            f"to another place")
+        raise TwinwakeError(f"{file}: there is another scene already; overwrite=True replaces it, scene_file=... "
+                            f"writes to another place")
     beside = file.with_name(file.name + ".tmp")
     beside.write_text(text, encoding="utf-8")
     os.replace(beside, file)

@@ -38,7 +38,8 @@ class Probe:
 class Raster:
     """The share of water in cubic voxels, in the same voxels for both methods; splash is measured from it.
 
-    A voxel (k, j, i) reaches from `origin + spacing * (i, j, k)` to one spacing beyond. Of half a model, half the water.
+    A voxel (k, j, i) reaches from `origin + spacing * (i, j, k)` to one spacing beyond. Of half a model, half the
+    water.
     """
 
     origin: np.ndarray  #: low corner [m]
@@ -390,8 +391,8 @@ def _refuse_changed(path: Path) -> None:
             left -= len(block)
         line = file.read(length)
     if not line.startswith(_SIGN):
-        raise TwinwakeError(f"{path}: not a whole run record: it does not end in the line with its SHA-256. Cut off, or "
-                            f"another program's file; verify=False reads it all the same")
+        raise TwinwakeError(f"{path}: not a whole run record: it does not end in the line with its SHA-256. Cut off, "
+                            f"or another program's file; verify=False reads it all the same")
     if line[len(_SIGN):-1].decode("ascii", "replace") != sha.hexdigest():
         raise TwinwakeError(f"{path}: has changed since it was written (its SHA-256 differs): take it from a backup or "
                             f"run again; verify=False reads it all the same")

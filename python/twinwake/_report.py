@@ -23,7 +23,7 @@ class Quantity:
     intervals: Dict[str, float]  #: half width of 95 %, by source; NaN where it is not known
     difference: float  #: second source less first, or of the pair that lies farthest apart; NaN without a comparison
     interval: float  #: half width of the difference's 95 % interval
-    per_cent: float  #: the difference as a share of the mean of the two, or of the quantity's scale where that is larger
+    per_cent: float  #: the difference as a share of the mean of the two, or of the quantity's scale if that is larger
     verdict: str  #: agree, differ, undecided, not_converged, not_comparable or "discretisation error not estimated"
     sentence: str
     remark: str

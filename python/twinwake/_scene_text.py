@@ -60,7 +60,8 @@ def _value(value: Any, path: Tuple[str, ...]) -> str:
         return "true" if value else "false"
     if isinstance(value, int):
         if not -(2**63) <= value < 2**63:
-            raise TwinwakeError(f"scene: {_shown(path)} = {value}: a whole number of TOML has 64 bits; write it as a float")
+            raise TwinwakeError(f"scene: {_shown(path)} = {value}: a whole number of TOML has 64 bits; "
+                                f"write it as a float")
         return str(value)
     if isinstance(value, float):
         if not math.isfinite(value):
@@ -75,8 +76,8 @@ def _value(value: Any, path: Tuple[str, ...]) -> str:
     if isinstance(value, Mapping):
         members = (f"{_key(k)} = {_value(v, path + (k,))}" for k, v in value.items())
         return "{" + ", ".join(members) + "}"
-    raise TwinwakeError(f"scene: {_shown(path)} is {value!r} ({type(value).__name__}); expected a text, a number, True or "
-                        f"False, a list or a dictionary. Leave the key out for its default")
+    raise TwinwakeError(f"scene: {_shown(path)} is {value!r} ({type(value).__name__}); expected a text, a number, "
+                        f"True or False, a list or a dictionary. Leave the key out for its default")
 
 
 def _key(key: str) -> str:

@@ -5,9 +5,9 @@ import re
 import unittest
 from pathlib import Path
 
-import numpy as np
-
 from small_runs import COLUMN, FLOATING, HOSTILE_TITLE, HULL, InAFolder, twinwake
+
+import numpy as np
 
 PAGE = Path(__file__).parents[3] / "docs" / "record_columns.md"
 

@@ -16,7 +16,7 @@ except ImportError:  # before Python 3.11
 class SceneText(unittest.TestCase):
     @unittest.skipUnless(tomllib, "no tomllib before Python 3.11")
     def test_every_value_comes_back(self):
-        every_character = "".join(map(chr, [*range(0x3000), 0x1F30A])).translate({c: None for c in range(0xD800, 0xE000)})
+        every_character = "".join(map(chr, [*range(0x3000), 0x1F30A]))
         scene = {
             "title": every_character, "number": 1e-300, "whole": -(2**63), "flag": False, "list": [1, 2.5, [3, 4]],
             "section": {"deeper": {"text": 'end = """\'\'\' [x] # no comment', "empty": {}}, "after": True},
