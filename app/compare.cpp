@@ -10,6 +10,7 @@
 #include "app/write_ladder.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
+#include "compare/ladder/judge_by_sizes.h"
 #include "compare/reports/two_reports.h"
 #include "methods/methods.h"
 
@@ -31,6 +32,41 @@ std::vector<fs::path> record_files(const fs::path& source) {
             fmt::format("{}: no run record here; expected record.h5, {}/record.h5 (twinwake run leaves them)",
                         source.string(), fmt::join(method_names(), "/record.h5 or ")));
     return files;
+}
+
+/// The coarser runs that `twinwake run` left beside a run's records; none where the source is no run's folder.
+std::vector<fs::path> twin_files(const fs::path& source) {
+    std::vector<fs::path> files;
+    const fs::path twins = source / "twins";
+    if (!fs::is_directory(twins) || fs::exists(source / "record.h5")) return files;
+    constexpr int deepest = 3;  // size, a wider box, method: behind it lie cases
+    for (fs::recursive_directory_iterator at(twins), end; at != end; ++at) {
+        if (at->path().filename() == "record.h5") files.push_back(at->path());
+        if (at.depth() >= deepest || at->path().filename() == "case") at.disable_recursion_pending();
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+/// What a run's folder says of the discretisation error, as its own report does; none: nothing in it, or no ladder.
+std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
+    if (command.sources.size() != 1) return {};
+    const std::vector<fs::path> twins = twin_files(command.sources.front());
+    if (twins.empty()) return {};
+    LadderHarvest harvest;
+    for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_record(file), file);
+    for (const fs::path& file : twins) {
+        RunRecord record = read_record(file);
+        if (record.state == "finished") harvest.take(std::move(record), file);
+    }
+    harvest.variations = take_variations(harvest.runs);
+    harvest.drop_lone_variations();
+    try {
+        return ladder_of(harvest);
+    } catch (const InputError& e) {  // the records are there: they are compared all the same
+        complain(std::string("twins: no discretisation error: ") + e.what());
+        return {};
+    }
 }
 
 int compare_ladder(const CompareCommand& command, const Common& common) {
@@ -84,16 +120,26 @@ int run_compare(const CompareCommand& command, const Common& common) {
         for (const fs::path& file : record_files(source)) records.push_back(read_record(file));
     CompareOptions options;
     options.force = command.force;
-    const Comparison comparison = compare_records(std::move(records), options);
+    Comparison comparison = compare_records(std::move(records), options);
+    const std::optional<Ladder> ladder = ladder_of_twins(command);
+    if (ladder) judge_by_sizes(comparison, *ladder);
     std::string text = summary_text(comparison);
     std::optional<FolderLock> lock;  // a run may be writing its own report there
     if (!command.out.empty()) lock.emplace(command.out);
     if (lock)
-        text +=
-            "\nreport: " + leaving_files([&] { return write_report(comparison, command.out); }).html.string() + "\n";
+        text += "\nreport: " + leaving_files([&] {
+                                   return write_report(comparison, command.out, ladder ? ladder_html(*ladder) : "");
+                               }).html.string() +
+                "\n";
     say(common, text);
     write_json(common, comparison_json(comparison));
     if (!command.require_agree) return done;
+    if (ladder) {
+        const std::string others = not_agreeing(*ladder);
+        if (others.empty()) return done;
+        complain("--require agree is not met: " + others);
+        return not_agreed;
+    }
     complain(
         "--require agree cannot be met by runs of one size: their discretisation error is not estimated. Run the scene "
         "at several sizes with twinwake ladder, or give the records of such runs to twinwake compare --ladder");

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 /// One scene of the set: the scene file with another hull, speed and trim.
 struct SweptHull {
     std::string name, folder;
+    std::string series;  ///< the name without the speed
     SceneOverrides overrides;
     std::optional<PlannedRun> plan = {};
     std::string why_not = {};  ///< what is wrong with this scene
@@ -50,13 +51,18 @@ std::vector<SweptHull> variants_of(const SweepCommand& command) {
             for (const std::string& trim : trims) {
                 SceneArguments scene = command.scene;
                 scene.hull = hulls[h], scene.speed = speed, scene.trim = trim;
-                std::string name;
-                for (const std::string& part : {labels[h], speed, trim.empty() ? "" : "trim " + trim})
-                    if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
+                const auto joined = [](std::initializer_list<std::string> parts) {
+                    std::string name;
+                    for (const std::string& part : parts)
+                        if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
+                    return name;
+                };
+                const std::string at_trim = trim.empty() ? "" : "trim " + trim;
+                std::string name = joined({labels[h], speed, at_trim});
                 if (name.empty()) name = command.scene.file.stem().string();
                 std::string folder = plain(name);  // a run that is there is found again when the lists grow
                 while (std::ranges::find(variants, folder, &SweptHull::folder) != variants.end()) folder += "_2";
-                variants.push_back({name, folder, scene.overrides()});
+                variants.push_back({name, folder, joined({labels[h], at_trim}), scene.overrides()});
             }
     return variants;
 }
@@ -146,6 +152,9 @@ bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand
         member.methods = comparison.names;
         member.quantities = comparison.quantities;
         member.discretisation_from = comparison.discretisation_from;
+        member.series = variant.series;
+        if (const auto& numbers = comparison.sources.front().numbers; numbers.contains("speed"))
+            member.speed = numbers.at("speed");
     } catch (const InputError& e) {
         member.why_not = e.what();
         complain(variant.name + ": " + member.why_not);

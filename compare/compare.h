@@ -34,8 +34,8 @@ struct MeanValue : SettledMean {
 };
 
 /// agree and differ need runs of several sizes: without them nothing is known of the discretisation error, and two
-/// values may only be said to be apart (not_estimated).
-enum class Verdict { agree, differ, undecided, not_converged, not_comparable, not_estimated };
+/// values may only be said to be apart (not_estimated). no_answer: the interval is so wide that nothing is judged.
+enum class Verdict { agree, differ, undecided, no_answer, not_converged, not_comparable, not_estimated };
 std::string to_string(Verdict verdict);
 
 /// How far one source of a quantity is from another, and what that says.
@@ -49,6 +49,8 @@ struct Difference {
     Verdict verdict = Verdict::not_comparable;
     std::string remark = {};
     std::string sentence = {};  ///< the verdict to be forwarded, where runs of several sizes gave one
+    std::string finding = {};   ///< the same without the quantity and the verdict, to stand beside them
+    double seconds_to_target = std::numeric_limits<double>::quiet_NaN();  ///< of further runs, see ladder/ladder.h [s]
 };
 
 /// One compared number. Its own difference is that of the only two sources, or of the pair that lies farthest apart in
@@ -62,7 +64,7 @@ struct Quantity : Difference {
     std::vector<Difference> pairs;  ///< of more than two sources: every pair of them, in their order
     std::string caveat;             ///< what the difference contains besides that of the methods
     bool judged = true;             ///< raw maxima are shown beside, and no ladder judges them
-    /// Not judged, since what makes it is smaller than the runs resolve: "not resolved: jet of 0.4 spacings, ..."; empty:
+    /// Not judged, since what makes it is smaller than the runs resolve: "not resolved: the jet is 0.4 of ..."; empty:
     /// it is resolved.
     std::string not_resolved = {};
     /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
@@ -84,7 +86,9 @@ struct Reference {
     std::string source;          ///< "Savitsky 1964"
     double value = 0, half_width = 0;
     std::string remark;
-    bool in_range = true;  ///< of the formula; outside it is a hint at most
+    bool in_range = true;     ///< of the formula; outside it is a hint at most
+    bool of_one_run = false;  ///< it takes something from a run, as its wetted length: shown in the table alone
+    std::string bias = {};    ///< how far measurements lie from it, for the end of a sentence; empty: not known
 };
 
 /// One soundness check of one run, or one line of its stability certificate: value against limit.

@@ -124,6 +124,23 @@ void set_failed_aside(Comparison& c) {
     }
 }
 
+/// The formula at what each run itself finds wet: what it says of the lift apart from where the water meets the keel.
+void add_savitsky_at_wetted_lengths(Comparison& comparison, const PlaningState& state) {
+    const Quantity* wet = comparison.find("wetted_length");
+    for (std::size_t i = 0; wet && i < wet->values.size(); ++i) {
+        if (!wet->values[i].known || comparison.failed(i)) continue;
+        const double keel = wet->values[i].value / std::cos(state.trim);  // the record's is along x
+        const Savitsky s = savitsky_at_keel(state, keel);
+        const auto add = [&](const char* quantity, double value) {
+            comparison.references.push_back(
+                {quantity, "N", fmt::format("Savitsky 1964 at {}'s wetted length", method_label(comparison.names[i])),
+                 value, 0.1 * std::abs(value), fmt::format("the keel is wet over {:.3g} m", keel), s.in_range, true});
+        };
+        add("lift", s.lift);
+        if (comparison.find("total_drag")) add("total_drag", s.drag);
+    }
+}
+
 void add_savitsky(Comparison& comparison) {
     // A method may keep the hull as its mesh sees it, with edges cut: the first surface that is a clean prism is taken.
     std::optional<PrismaticHull> hull;
@@ -158,7 +175,10 @@ void add_savitsky(Comparison& comparison) {
     const auto add = [&](const char* quantity, double value, const std::string& remark) {
         comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark, s.in_range});
     };
-    add("lift", s.lift, range);
+    const std::string above = fmt::format("measured lifts lie {:.0f} to {:.0f} % above this formula",
+                                          100 * (measured_over_savitsky[0] - 1), 100 * (measured_over_savitsky[1] - 1));
+    add("lift", s.lift, range + (s.in_range ? "; " + above : ""));
+    if (s.in_range) comparison.references.back().bias = above;
     if (friction)
         add("drag", s.drag, range + "; with ITTC-57 friction");
     else
@@ -167,6 +187,7 @@ void add_savitsky(Comparison& comparison) {
     comparison.references.push_back(
         {"wetted_length", "m", source, s.keel_wetted_length, 0.1 * s.keel_wetted_length,
          text_of(first, "hull_free").empty() ? "of the keel, from the draft alone" : "of the keel", true});
+    if (text_of(first, "hull_free").empty()) add_savitsky_at_wetted_lengths(comparison, hull->state);
 }
 
 void add_planing_plate(Comparison& comparison) {
@@ -214,6 +235,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
         comparison.banners.push_back("Values are those of this box, not of open water: " + walls + ".");
     add_forces(comparison, options);
     add_total_drag(comparison, options);
+    add_resistance(comparison, options);
     add_wetted_length(comparison, options);
     add_hull_motion(comparison, options);
     add_splash(comparison, options);

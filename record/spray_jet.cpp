@@ -9,8 +9,11 @@ namespace tw {
 std::string SprayJet::why_not_resolved() const {
     if (resolved()) return {};
     const double enough = thickness / 3, digit = std::pow(10, std::floor(std::log10(enough)) - 1);
-    return fmt::format("not resolved: jet of {:.2g} spacings, near_hull = {:.2g} m would do", across(),
-                       digit * std::floor(enough / digit));
+    return fmt::format(
+        "not resolved: the jet is {:.2g} of a particle or cell thick, and three across it are needed (near_hull = "
+        "{:.2g} "
+        "m)",
+        across(), digit * std::floor(enough / digit));
 }
 
 }  // namespace tw

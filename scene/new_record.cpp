@@ -31,6 +31,7 @@ Vec3 moment_reference(const Scene& scene) {
 void note_prediction(RunRecord& record, const RunOptions& options) {
     if (!options.command.empty()) record.attributes["command"] = options.command;
     if (!(options.predicted_seconds > 0)) return;
+    record.numbers["size_scale"] = scene.resolution.scale;  // of --scale or --budget: how many times the scene's sizes
     record.numbers["predicted_seconds"] = options.predicted_seconds;
     record.numbers["predicted_elements"] = options.predicted_elements;
     record.numbers["predicted_memory"] = options.predicted_bytes;

@@ -144,10 +144,10 @@ void add_hull_gates(GateList& list) {
     const RunRecord& record = list.record;
     const double speed = number_of(record, "speed", 0);
     if (const auto air = time_mean(record, "samples", "ventilation"))
-        list.add(
-            "ventilation index", "-", *air, 0.2,
-            "beyond it, air smeared under the hull makes friction too low in proportion; a sharper surface lowers the "
-            "lift by 3 to 4 % (measured)");
+        list.add("air in the water at the hull", "-", *air, 0.2,
+                 "its mean share; beyond the limit, air smeared under the hull makes friction too low in proportion, "
+                 "and a sharper "
+                 "surface lowers the lift by 3 to 4 % (measured)");
     const bool edges = speed > 0 && !record.hull_pressure.empty() && has_edges_in_air(record);
     if (const auto suction = suction_share(record); suction && edges)
         list.add("suction on the hull", "%", *suction, 15,

@@ -32,6 +32,7 @@ bool follows_from_others(const std::string& name) {
                                                 "levels",
                                                 "finest_spacing",
                                                 "jet_spacing",
+                                                "size_scale",
                                                 "mean_from"};
     return names.contains(name) || name.starts_with("predicted_") || name.starts_with("domain_") ||
            name.starts_with("cut_") || name.starts_with("level_") || name.starts_with("uncertainty:");

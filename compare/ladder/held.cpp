@@ -128,7 +128,7 @@ void add_references(Ladder& ladder) {
             for (const Reference& r : run.references) {
                 MeanValue value;
                 value.known = true, value.value = r.value, value.half_width = r.half_width;
-                if (r.in_range)
+                if (r.in_range && !r.of_one_run)
                     hold_against(ladder, r.remark.empty() ? r.source : r.source + " (" + r.remark + ")", r.quantity,
                                  r.unit, value);
             }

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "record/record_numbers.h"
+#include "compare/report/escape.h"
+#include "compare/report/sentences.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -90,11 +92,13 @@ LadderDifference between(const LadderQuantity& q, std::size_t a, std::size_t b) 
     return d;
 }
 
-void take(Difference& d, const LadderDifference& judged, const std::string& sentence) {
+void take(Difference& d, const LadderDifference& judged, const Ladder& ladder, const LadderQuantity& q) {
     d.verdict = judged.verdict, d.remark = judged.reason;
     d.difference = judged.difference, d.interval = judged.interval;
     d.size = judged.size, d.per_cent = judged.per_cent;
-    d.sentence = sentence;
+    d.seconds_to_target = judged.seconds_to_target;
+    d.sentence = ladder_sentence(ladder, q, judged);
+    d.finding = for_terminal(finding_of(statement_of(ladder, q, judged)));
 }
 
 }  // namespace
@@ -120,7 +124,7 @@ void judge_by_sizes(Comparison& c, const Ladder& ladder) {
         for (Difference& d : q.differences()) {
             if (!there[d.a] || !there[d.b] || *sides[d.a] == *sides[d.b]) continue;
             const LadderDifference pair = between(*judged, *sides[d.a], *sides[d.b]);
-            take(d, pair, ladder_sentence(ladder, *judged, pair));
+            take(d, pair, ladder, *judged);
             any = q.judged = true;
         }
         if (any && !q.pairs.empty()) take_farthest(q);
@@ -170,6 +174,7 @@ void judge_by_errors_of(Difference& d, Quantity& q, const Comparison& c, const R
         !std::isfinite(s.interval) ? Verdict::not_converged : decide(d.difference, d.interval, c.agree_within, d.size);
     d.remark = "discretisation error taken from " + errors.scene + (s.why.empty() ? "" : "; " + s.why);
     d.sentence = sentence_of(s);
+    d.finding = finding_of(s);
 }
 
 }  // namespace

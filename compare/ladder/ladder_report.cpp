@@ -6,24 +6,28 @@
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/ladder/ladder_tables.h"
 #include "compare/report/escape.h"
-#include "compare/report/plot_data.h"
+#include "compare/report/numbers.h"
 #include "compare/report/sentences.h"
+#include "compare/report/svg_plot.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
+#include "record/force_names.h"
 
 namespace tw {
 
 namespace {
 
+/// One of many beside each other: what its axes and colours mean stands once, around the row.
+void make_small(Plot& plot) { plot.width = 260, plot.height = 180; }
+
 /// Values over spacing with their intervals, and where the fit points at spacing 0.
-LivePlot convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
+std::string convergence_plot(const LadderQuantity& q) {
     Plot plot;
-    plot.title = q.label;
-    plot.x_label = "spacing at the hull [m]";
-    plot.y_label = q.unit;
+    plot.title = q.label + (q.unit == "-" ? "" : " [" + unit_text(q.unit) + "]");
+    make_small(plot);
     for (std::size_t k = 0; k < q.values.size(); ++k) {
         const LadderValue& v = q.values[k];
-        PlotLine line{method_label(ladder.sides[k].method), k, {}, {}, false, false, true};
+        PlotLine line{"", k, {}, {}, false, false, true};
         for (const StudyLevel& l : v.levels) line.x.push_back(l.h), line.y.push_back(l.value);
         if (line.x.empty()) continue;
         if (std::isfinite(v.estimate.limit))
@@ -38,19 +42,18 @@ LivePlot convergence_plot(const Ladder& ladder, const LadderQuantity& q) {
                                   false});
         plot.lines.push_back(std::move(line));
     }
-    return live_plot(plot);
+    return svg(plot);
 }
 
 /// The uncertainty of each level over its wall time, with the fitted line drawn on to 1 % of the value.
-LivePlot cost_plot(const Ladder& ladder, const LadderQuantity& q) {
+std::string cost_plot(const LadderQuantity& q) {
     Plot plot;
-    plot.title = q.label + ": what accuracy costs";
-    plot.x_label = "wall time [s]";
-    plot.y_label = "U [" + q.unit + "]";
+    plot.title = "U of " + lower_case_first(q.label) + (q.unit == "-" ? "" : " [" + unit_text(q.unit) + "]");
+    make_small(plot);
     plot.log_x = plot.log_y = true;
     for (std::size_t k = 0; k < q.values.size(); ++k) {
         const LadderValue& v = q.values[k];
-        PlotLine line{method_label(ladder.sides[k].method), k, {}, {}, false, false, true};
+        PlotLine line{"", k, {}, {}, false, false, true};
         for (const CostPoint& p : v.cost.points) line.x.push_back(p.seconds), line.y.push_back(p.uncertainty);
         if (line.x.empty()) continue;
         if (v.cost.known()) {
@@ -64,23 +67,37 @@ LivePlot cost_plot(const Ladder& ladder, const LadderQuantity& q) {
     if (plot.lines.empty()) return {};
     for (const double share : {0.05, 0.02, 0.01})
         plot.levels.push_back({fmt::format("{:g} %", 100 * share), share * q.size});
-    return live_plot(plot);
+    return svg(plot);
+}
+
+/// One row of small plots, as many as are wide enough to be read; the page scrolls it sideways.
+std::string row_of(const std::vector<std::string>& plots) {
+    std::string out;
+    for (const std::string& plot : plots) out += "<figure>" + plot + "</figure>";
+    return out.empty() ? out : "<div class=\"multiples\">" + out + "</div>";
 }
 
 std::string plots(const Ladder& ladder) {
-    std::string out;
+    std::vector<const LadderQuantity*> all = main_quantities(ladder.quantities);
     for (const LadderQuantity& q : ladder.quantities)
-        if (std::ranges::any_of(q.values, [](const LadderValue& v) { return v.levels.size() > 2; })) {
-            out += figure_html(convergence_plot(ladder, q));
-            if (const LivePlot cost = cost_plot(ladder, q); !cost.svg.empty()) out += figure_html(cost);
+        if (!is_main_quantity(q.name)) all.push_back(&q);
+    std::vector<std::string> values, costs;
+    for (const LadderQuantity* q : all)
+        if (std::ranges::any_of(q->values, [](const LadderValue& v) { return v.levels.size() > 2; })) {
+            values.push_back(convergence_plot(*q));
+            if (std::string cost = cost_plot(*q); !cost.empty()) costs.push_back(std::move(cost));
         }
-    return out.empty() ? out
-                       : "<h2>Convergence, and accuracy over time</h2><div class=\"pair\">" + out +
-                             "</div><p class=\"note\">Over the spacing: bars are the 95 % interval of the finest "
-                             "value, broken lines lead "
-                             "to the estimate for spacing 0. Over the wall time its run took, everything counted: the "
-                             "interval of "
-                             "every size (discretisation and statistics); broken: the fitted line.</p>";
+    if (values.empty()) return {};
+    std::string keys;
+    for (std::size_t k = 0; k < ladder.sides.size(); ++k)
+        keys += fmt::format("<span class=\"key k{}\"></span>{} ", k, escaped(method_label(ladder.sides[k].method)));
+    return "<h2>Convergence, and accuracy over time</h2><p class=\"sub\">" + keys + "</p>" + row_of(values) +
+           "<p class=\"note\">Over the spacing at the hull [m]: bars are the 95 % interval of the finest value, broken "
+           "lines lead to the estimate for spacing 0.</p>" +
+           row_of(costs) +
+           (costs.empty() ? ""
+                          : "<p class=\"note\">Over the wall time that each size took, everything counted [s]: its "
+                            "interval (discretisation and statistics); broken: the fitted line.</p>");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ ReportCell method_cell(const Ladder& ladder, std::size_t k, const std::string& m
 /// An uncertainty in the value's unit; "none" where it is no more than rounding.
 std::string uncertainty_cell(double U, double value) {
     if (!std::isfinite(U)) return "–";
-    return no_more_than_rounding(U, value) ? "none" : plain_number(U);
+    return no_more_than_rounding(U, value) ? "none" : number_text(U);
 }
 
 /// The difference in per cent.
@@ -46,7 +46,8 @@ std::string joined(const std::vector<std::string>& parts) {
 std::string validation_label(const Validation& v) {
     switch (v.verdict) {
         case Verdict::agree: return "yes";
-        case Verdict::undecided: return "yes, by a wide interval";
+        case Verdict::undecided:
+        case Verdict::no_answer: return "yes, by a wide interval";
         case Verdict::differ: return "no";
         case Verdict::not_converged: return "not converged";
         case Verdict::not_comparable:
@@ -55,11 +56,13 @@ std::string validation_label(const Validation& v) {
     return "no value";
 }
 
+constexpr double most_core_seconds = 1e5 * 3600;  ///< nobody has more: a rack of 128 cores for a month
+
 /// Core hours to an uncertainty; "~" where beyond the sizes.
 std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
     if (!cost.known() || !(uncertainty > 0)) return "–";
     const double core_seconds = cost.seconds_for(uncertainty);
-    if (core_seconds > 3.6e9) return "over a million";
+    if (core_seconds > most_core_seconds) return "out of reach";
     return (cost.measured(core_seconds) ? "" : "~") + plain_number(core_seconds / 3600, 2);
 }
 
@@ -67,10 +70,10 @@ std::string cores_text(const CostOfAccuracy& cost, double uncertainty) {
 std::string memory_text(const CostOfAccuracy& cost, double uncertainty) {
     if (!cost.known() || !(uncertainty > 0)) return "–";
     const double bytes = cost.seconds_for(uncertainty);
-    return fmt::format("{}{}", cost.measured(bytes) ? "" : "~",
+    return fmt::format("{}{}", cost.measured(bytes) || !(bytes < 1e13) ? "" : "~",
                        bytes < 1e9    ? plain_number(bytes / 1e6, 2) + " MB"
                        : bytes < 1e13 ? plain_number(bytes / 1e9, 2) + " GB"
-                                      : std::string("over 10 TB"));
+                                      : std::string("out of reach"));
 }
 
 }  // namespace
@@ -84,7 +87,7 @@ std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
         if (!(seconds > 1) || !(seconds < 3e7) || no_more_than_rounding(U, d.size)) continue;
         const bool first_steeper = a.slope > b.slope;
         out += fmt::format("{}Beyond {}, at U = {} {}, {} is the cheaper one, before it {}.", out.empty() ? "" : " ",
-                           time_text(seconds), U, for_terminal(q.unit),
+                           time_text(seconds), number_text(U, 2), for_terminal(unit_text(q.unit)),
                            for_terminal(method_label(ladder.sides[first_steeper ? d.a : d.b].method)),
                            for_terminal(method_label(ladder.sides[first_steeper ? d.b : d.a].method)));
     }
@@ -157,7 +160,7 @@ ReportTable ladder_checks(const Ladder& ladder) {
     for (const LadderSide& side : ladder.sides) {
         const auto add = [&](const LadderRun& run, const std::string& choice) {
             for (Gate gate : run.failed_checks) {
-                gate.source = fmt::format("{} at {:g} m{}", side.method, run.spacing, choice);
+                gate.source = fmt::format("{} at {} m{}", side.method, number_text(run.spacing), choice);
                 gates.push_back(std::move(gate));
             }
         };
@@ -220,7 +223,7 @@ ReportTable values_by_size(const Ladder& ladder) {
             const LadderValue& v = q.values[k];
             const Estimate& e = v.estimate;
             std::vector<std::string> values;
-            for (const StudyLevel& l : v.levels) values.push_back(plain_number(l.value, 5));
+            for (const StudyLevel& l : v.levels) values.push_back(number_text(l.value, 5));
             const double finest = v.levels.empty() ? 0 : v.levels.front().value;
             const bool some =
                 std::isfinite(v.uncertainty) && q.size > 0 && !no_more_than_rounding(v.uncertainty, finest);
@@ -299,7 +302,7 @@ ReportTable prices_of_accuracy(const Ladder& ladder) {
 
 ReportTable all_runs(const Ladder& ladder) {
     ReportTable table{"The runs of the ladder",
-                      {words("method"), numbers("spacing at the hull", "m", 6), numbers(elements_of_all(), "", 4),
+                      {words("method"), numbers("spacing at the hull", "m"), numbers(elements_of_all(), "", 4),
                        numbers("time steps", "", 5), numbers("wall time"), numbers("predicted"), numbers("core hours"),
                        numbers("memory", "MB", 4)}};
     const auto row = [&](ReportCell method, const LadderRun& r) {

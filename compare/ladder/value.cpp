@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/ladder/variation.h"
+#include "compare/report/numbers.h"
 
 namespace tw {
 
@@ -25,7 +26,7 @@ LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const 
         const Quantity* q = find_quantity(run, name);
         if (!q || !q->values[0].known || !q->not_resolved.empty()) {
             const std::string why = !q ? "not measured" : q->values[0].known ? q->not_resolved : q->values[0].why_not;
-            v.absent.push_back(fmt::format("{:g} m: {}", run.spacing, why));
+            v.absent.push_back(fmt::format("{} m: {}", number_text(run.spacing), why));
             continue;
         }
         known.push_back(&run);

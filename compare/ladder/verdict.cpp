@@ -87,14 +87,11 @@ std::string remedy(const Term& term, const LadderDifference& d, const LadderQuan
         }
     if (const Estimate& e = q.values[term.side].estimate;
         term.kind == Term::discretisation && e.convergence == Convergence::scattered)
-        return fmt::format("the values scatter by {} {} from size to size: {}", value_text(e.trend_noise.sigma, 0),
-                           q.unit,
+        return fmt::format("the values scatter by {} {} from size to size: {}", number_text(e.trend_noise.sigma, 2),
+                           unit_text(q.unit),
                            e.levels.size() > 3 ? "sizes between these narrow the interval"
                                                : "three do not tell it from a trend; twinwake ladder runs more");
-    if (term.kind == Term::discretisation && d.seconds_to_target > longest_runs)
-        return fmt::format("finer runs of {} would not suffice, by the slopes of this ladder",
-                           about_text(longest_runs));
-    if (term.kind == Term::discretisation && std::isfinite(d.seconds_to_target))
+    if (term.kind == Term::discretisation && d.seconds_to_target <= longest_runs)
         return fmt::format("finer runs of {} would suffice, by the slopes of this ladder",
                            about_text(d.seconds_to_target));
     return {};
@@ -137,14 +134,16 @@ void judge_pair(LadderDifference& d, const LadderQuantity& q, const std::vector<
     d.verdict = decide(d.difference, d.interval, target, S);
     if (d.verdict == Verdict::differ && std::abs(d.difference) <= target * S)
         d.reason = fmt::format("beyond the joint interval, yet within the target of {:g} %", 100 * target);
-    if (d.verdict != Verdict::undecided) return;
+    if (d.verdict != Verdict::undecided && d.verdict != Verdict::no_answer) return;
     const std::vector<Term> terms = terms_of(d, q, sides);
     const Term& largest = *std::ranges::max_element(terms, {}, &Term::U);
     d.seconds_to_target = seconds_to_target(d, q, sides, largest, target * S);
     const std::string cure = remedy(largest, d, q, sides[largest.side], target * S);
-    d.reason =
-        fmt::format("the interval is wider than the target of {:g} %; largest term: {} (± {} {}){}", 100 * target,
-                    largest.name, value_text(largest.U, 0), q.unit, cure.empty() ? "" : "; " + cure);
+    const bool answered = d.verdict == Verdict::undecided;
+    d.reason = fmt::format("the interval is wider than {}; largest term: {} (± {} {}){}",
+                           answered ? fmt::format("the target of {:g} %", 100 * target)
+                                    : fmt::format("{:g} % of the value, too wide to judge by", 100 * widest_answer),
+                           largest.name, number_text(largest.U, 2), unit_text(q.unit), cure.empty() ? "" : "; " + cure);
 }
 
 }  // namespace

@@ -154,6 +154,13 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
             "here "
             "differ by it.");
 
+    // Where friction is in no drag, drag is what the pressure makes; a source that lists no parts may have measured both.
+    const bool pressure_alone =
+        with_drag > 0 && std::ranges::all_of(sources, [&](const RunRecord& r) {
+            return !has_drag(r) || (r.series("forces", "fx_pressure") && text_of(r, "friction") != "included" &&
+                                    (leave_friction_out || !has_friction(r)));
+        });
+
     // In two dimensions forces are per metre of span.
     const bool flat =
         std::ranges::any_of(sources, [](const RunRecord& r) { return number_of(r, "dimensions", 3) == 2; });
@@ -164,7 +171,7 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     double lift = 0;
     for (const Force& f :
          {Force{"lift", up, "N", "fz", "fz_pressure", "mean vertical force of the water " + on},
-          Force{"drag", along, "N", "fx", "fx_pressure",
+          Force{"drag", stream && pressure_alone ? "Pressure drag" : along, "N", "fx", "fx_pressure",
                 "mean force of the water " + on + (stream ? " along the stream" : " along x")},
           Force{"trim_moment", called.moment, "N m", "my", nullptr,
                 "mean moment of the water about one point for all sources (moment_reference), bow up positive; its "
@@ -207,8 +214,8 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     };
     const std::string &friction = called.friction, drag = lower_case_first(along);
     for (const Beside& b :
-         {Beside{"drag_pressure", stream ? "Pressure drag" : along + " by pressure", "N", "forces", "fx_pressure",
-                 "pressure part of the " + drag},
+         {Beside{"drag_pressure", stream && !pressure_alone ? "Pressure drag" : along + " by pressure", "N", "forces",
+                 "fx_pressure", "pressure part of the " + drag},
           Beside{"drag_friction", friction, "N", "forces", "fx_viscous",
                  "viscous part of the " + drag +
                      ", as if the wet faces touched water alone; zero where no physical viscosity is solved"},
@@ -220,7 +227,7 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
                  "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
           Beside{"drag_total", along + ", air included", "N", "forces", "fx_total", "all faces; not compared"},
           Beside{"lift_total", up + ", air included", "N", "forces", "fz_total", "all faces; not compared"},
-          Beside{"ventilation", "Ventilation index", "-", "samples", "ventilation",
+          Beside{"ventilation", "Share of air in the water at the hull", "-", "samples", "ventilation",
                  "share of air in what touches the wet part of the hull; friction is low in proportion"},
           Beside{"wetted_area", "Wetted area", "m2", "samples", "wetted_area", "area of the hull that water touches"}})
         add_beside(comparison,
@@ -271,6 +278,43 @@ void add_total_drag(Comparison& comparison, const CompareOptions& options) {
     for (const std::string& more : {coefficients, shared > 0 ? "interval includes " + shared_name : std::string()})
         if (!more.empty()) q.remark += (q.remark.empty() ? "" : "; ") + more;
     comparison.quantities.push_back(std::move(q));
+}
+
+const Quantity* resistance_of(const Comparison& comparison) {
+    if (const Quantity* total = comparison.find("total_drag")) return total;
+    const bool solved =
+        std::ranges::any_of(comparison.sources, is_stream) && std::ranges::all_of(comparison.sources, has_friction);
+    const Quantity* drag = solved ? comparison.find("drag") : nullptr;
+    return drag && drag->unit == "N" ? drag : nullptr;
+}
+
+void add_resistance(Comparison& comparison, const CompareOptions& options) {
+    const Quantity* total = resistance_of(comparison);
+    if (!total || total->unit != "N") return;
+    Quantity power =
+        new_quantity("effective_power", "Effective power", "W", "P_E = R_T U, the total drag times the speed");
+    Quantity coefficient = new_quantity("resistance_coefficient", "Resistance coefficient", "-",
+                                        "C_T = R_T / (1/2 rho S U^2), S: what the method finds wet");
+    for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
+        const RunRecord& r = comparison.sources[i];
+        const double U = number_of(r, "speed", 0);
+        const auto times = [&](double factor) {
+            MeanValue m = total->values[i];
+            if (!m.known || !std::isfinite(factor)) {
+                m = {};
+                m.why_not = not_given;
+                return m;
+            }
+            m.value *= factor, m.half_width *= factor, m.second_opinion = nan;
+            return m;
+        };
+        const MeanValue S = mean_of(r, "samples", "wetted_area", options, HUGE_VAL);
+        power.values.push_back(times(U > 0 ? U : nan));
+        coefficient.values.push_back(
+            times(U > 0 && S.known && S.value > 0 ? 1 / (0.5 * number_of(r, "density", 1000) * S.value * U * U) : nan));
+    }
+    add_beside(comparison, power);  // `total` is not valid from here on
+    add_beside(comparison, coefficient);
 }
 
 void add_wetted_length(Comparison& comparison, const CompareOptions& options) {

@@ -20,6 +20,10 @@ void add_forces(Comparison& comparison, const CompareOptions& options);
 void add_total_drag(Comparison& comparison, const CompareOptions& options);
 
 /// Wetted length [m].
+/// The total drag, or the drag itself where every source has friction in it; null: it is not known.
+const Quantity* resistance_of(const Comparison& comparison);
+/// Effective power and resistance coefficient of that, beside the verdict (names effective_power, resistance_coefficient).
+void add_resistance(Comparison& comparison, const CompareOptions& options);
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
 
 /// Quantities per pressure and height probe of any source. `pressure:P1`: the raw peak, with the root mean square

@@ -173,9 +173,9 @@ std::vector<float> splash_envelope(const RunRecord& record, double from) {
     return envelope;
 }
 
-double wake_width(const RunRecord& record, const std::vector<float>& envelope, double level) {
+WakeWidth wake_width(const RunRecord& record, const std::vector<float>& envelope, double level) {
     const RasterGrid grid(record.raster);
-    if (grid.empty() || envelope.empty() || record.hull.points.empty()) return nan;
+    if (grid.empty() || envelope.empty() || record.hull.points.empty()) return {};
     const double stern = stern_of(record);
     std::vector<int> stations;
     double mean_crest = 0;
@@ -189,13 +189,13 @@ double wake_width(const RunRecord& record, const std::vector<float>& envelope, d
         stations.push_back(i);
         mean_crest += crest;
     }
-    if (stations.empty()) return nan;
+    if (stations.empty()) return {};
     mean_crest /= static_cast<double>(stations.size());
-    if (mean_crest < 0.5 * grid.spec.voxel) return nan;
+    if (mean_crest < 0.5 * grid.spec.voxel) return {};
     const double threshold = level + 0.5 * mean_crest;
     const bool half_model = number_of_text(record, "symmetry_factor", 1) > 1;
     double sum = 0;
-    int wide = 0;
+    int wide = 0, clipped = 0;
     for (const int i : stations) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (int j = 0; j < grid.ny; ++j)
@@ -206,8 +206,11 @@ double wake_width(const RunRecord& record, const std::vector<float>& envelope, d
         if (high < low) continue;
         sum += half_model ? 2 * (high + 0.5 * grid.spec.voxel) : high - low + grid.spec.voxel;
         ++wide;
+        const bool at_low_side = !half_model && low <= grid.y(0);
+        if (at_low_side || high >= grid.y(grid.ny - 1)) ++clipped;
     }
-    return wide > 0 ? sum / wide : nan;
+    if (wide == 0) return {};
+    return {sum / wide, static_cast<double>(clipped) / wide};
 }
 
 }  // namespace tw

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/numbers.h"
 #include "compare/compare.h"
 #include "compare/metrics/raster_columns.h"
 
@@ -31,6 +32,10 @@ std::vector<float> splash_envelope(const RunRecord& record, double from);
 /// still level + half the mean crest height; width(x) = distance between the outermost columns that reach the level
 /// (twice the half width for a half model); the mean over x. NaN when nothing behind the hull rises above still water
 /// by half a voxel edge.
-double wake_width(const RunRecord& record, const std::vector<float>& envelope, double still_level);
+struct WakeWidth {
+    double mean = nan;   ///< [m]
+    double clipped = 0;  ///< share of the stations where the outermost column is the raster's: they are wider than seen
+};
+WakeWidth wake_width(const RunRecord& record, const std::vector<float>& envelope, double still_level);
 
 }  // namespace tw

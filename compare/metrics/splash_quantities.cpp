@@ -224,15 +224,19 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         const double droplet =
             heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
         raw.values.push_back(single(droplet, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
-        wake.values.push_back(single(wake_width(record, a.envelope, a.still_level), 0,
+        const WakeWidth found = wake_width(record, a.envelope, a.still_level);
+        wake.values.push_back(single(found.mean, 0,
                                      number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.voxel, record,
                                      record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
         withhold_if_short(wake.values.back(), a, record, options);
         const double widest =
             number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.voxel;
-        if (wake.values.back().known && wake.values.back().value > widest - 1.5 * record.raster.voxel)
-            wake.remark += fmt::format("{}{}: as wide as the raster ({:.3g} m), so the wake may be wider",
-                                       wake.remark.empty() ? "" : "; ", method_label(comparison.names[s]), widest);
+        if (wake.values.back().known && found.clipped > 0) {
+            wake.values.back() = {};
+            wake.values.back().why_not = fmt::format(
+                "over {:.0f} % of its length the wake is as wide as the raster ({:.3g} m), or wider than is seen",
+                100 * found.clipped, widest);
+        }
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);

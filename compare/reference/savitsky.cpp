@@ -68,14 +68,17 @@ std::optional<std::pair<PlaningState, Savitsky>> savitsky_free(PlaningState s, c
     return std::pair(s, *found);
 }
 
-Savitsky savitsky_at_draft(const PlaningState& s, double draft) {
-    const double keel = draft / std::sin(s.trim);
+Savitsky savitsky_at_keel(const PlaningState& s, double keel) {
     const double chine = keel - s.beam * std::tan(s.deadrise) / (std::numbers::pi * std::tan(s.trim));
     Savitsky r = savitsky(s, (keel + std::max(chine, 0.0)) / (2 * s.beam));
     r.keel_wetted_length = keel;
     r.chine_wetted_length = chine;
     r.in_range = r.in_range && chine > 0;
     return r;
+}
+
+Savitsky savitsky_at_draft(const PlaningState& s, double draft) {
+    return savitsky_at_keel(s, draft / std::sin(s.trim));
 }
 
 }  // namespace tw

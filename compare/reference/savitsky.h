@@ -20,7 +20,9 @@ struct PlaningState {
 ///   drag   = lift tan(trim) + Df / cos(trim)
 ///   Df     = Cf 1/2 rho Vm^2 lambda b^2 / cos(beta)                           Vm: mean bottom velocity
 ///
-/// A fit to towing-tank data, good to about +-10 % inside 0.6 <= Cv <= 13, 2 <= trim <= 15 degrees, lambda <= 4.
+/// A fit to towing-tank data, good to about +-10 % inside 0.6 <= Cv <= 13, 2 <= trim <= 15 degrees, lambda <= 4. Measured
+/// lifts of two models at five conditions lie above it by the factors measured_over_savitsky
+/// (tests/data/planing_lift_measured.csv).
 struct Savitsky {
     double lambda = 0;                                                ///< mean wetted length over beam [-]
     double keel_wetted_length = 0, chine_wetted_length = 0;           ///< [m]; chine < 0: chines dry, outside the fit
@@ -28,10 +30,13 @@ struct Savitsky {
     double pressure_centre = 0;                                       ///< forward of the transom, along the keel [m]
     bool in_range = false;
 };
+/// At speeds Cv of 1.7 to 4, trims of 4 degrees, 17 and 20 degrees of deadrise: smallest and largest factor [-].
+inline constexpr double measured_over_savitsky[] = {1.07, 1.19};
 /// `lambda`: mean wetted length over beam [-].
 Savitsky savitsky(const PlaningState& state, double lambda);
-/// From the draft of the keel at the transom [m]: keel wet over draft / sin(trim), chine shorter by b tan(beta) / (pi
-/// tan(trim)).
+/// From the wetted length along the keel [m]; the chine's is shorter by b tan(beta) / (pi tan(trim)).
+Savitsky savitsky_at_keel(const PlaningState& state, double keel);
+/// From the draft of the keel at the transom [m]: keel wet over draft / sin(trim).
 Savitsky savitsky_at_draft(const PlaningState& state, double draft);
 
 /// Where the hull's weight and centre of gravity stand along and above the keel.

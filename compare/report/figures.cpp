@@ -226,14 +226,23 @@ Figures draw_figures(const Comparison& c) {
             raised && std::ranges::any_of(raised->values, &MeanValue::known))
             f.splash.push_back(splash_figure(c, "splash_raised", "Water raised behind the hull, per metre of way",
                                              "area [m2]", "raised_area", "splash_raised"));
-        f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",
-                                         "splash_sheet_height"));
-        f.splash.push_back(
-            splash_figure(c, "splash_p99", "99 % of the airborne water lies below", "height [m]", "p99", "splash_p99"));
-        f.splash.push_back(
-            splash_figure(c, "airborne_volume", "Airborne water", "volume [m3]", "airborne_volume", "airborne_volume"));
-        f.splash.push_back(
-            splash_figure(c, "splash_raw", "Highest water of any kind (not judged)", "height [m]", "raw_height", ""));
+        const auto resolved = [&](const char* quantity) {
+            const Quantity* q = c.find(quantity);
+            if (q && !q->not_resolved.empty() && f.splash_not_drawn.empty()) f.splash_not_drawn = q->not_resolved;
+            return !q || q->not_resolved.empty();
+        };
+        if (resolved("splash_sheet_height"))
+            f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",
+                                             "splash_sheet_height"));
+        if (resolved("splash_p99"))
+            f.splash.push_back(splash_figure(c, "splash_p99", "99 % of the airborne water lies below", "height [m]",
+                                             "p99", "splash_p99"));
+        if (resolved("airborne_volume"))
+            f.splash.push_back(splash_figure(c, "airborne_volume", "Airborne water", "volume [m3]", "airborne_volume",
+                                             "airborne_volume"));
+        if (f.splash_not_drawn.empty())
+            f.splash.push_back(splash_figure(c, "splash_raw", "Highest water of any kind (not judged)", "height [m]",
+                                             "raw_height", ""));
     }
     if (any("samples", "wetted_length"))
         f.wetting.push_back(series_figure(c, "samples", "wetted_length", "Wetted length", "length [m]", "wetted_length",

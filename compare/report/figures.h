@@ -18,6 +18,7 @@ struct Figures {
     std::vector<Figure> maps;                                           ///< mean elevation from above, one per source
     std::vector<Figure> resolution;                                     ///< where the runs are how fine; one or none
     std::string elevation_legend, pressure_legend;
+    std::string splash_not_drawn;  ///< why height and amount of the spray are not: they are not resolved
     Pictures pictures;
 };
 Figures draw_figures(const Comparison& comparison);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/numbers.h"
-#include "compare/gates/gates.h"
-#include "record/record_numbers.h"
+#include "compare/metrics/forces.h"
 #include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/escape.h"
@@ -15,16 +16,17 @@
 #include "compare/report/numbers.h"
 #include "compare/report/sentences.h"
 #include "compare/report/strip.h"
+#include "compare/report/trust.h"
 #include "compare/verdict/left_out.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
-#include "text/plain_number.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
 namespace {
 
-constexpr std::size_t most_strips = 5;  ///< as many as fit on a screen of 900 pixels
+constexpr std::size_t most_strips = 4;  ///< as many as fit on a screen of 768 pixels
 
 /// "prismatic hull, 4 m long, 1 m wide, draft 0.2 m, trim 5° bow up · 8 m/s, Froude number 1.27 · ..."
 std::string conditions(const Comparison& c) {
@@ -53,8 +55,18 @@ std::string conditions(const Comparison& c) {
 
 std::string value_with_unit(const MeanValue& m, const std::string& unit) {
     if (!m.known) return "no value";
-    return value_text(m.value, m.bar()) + (unit == "-" ? "" : " " + unit) +
+    return value_text(m.value, m.bar()) + (unit == "-" ? "" : " " + unit_text(unit)) +
            (std::isfinite(m.bar()) ? "" : ", no interval");
+}
+
+/// Where both values have an interval that a verdict could come from.
+std::optional<Strip::Difference> drawn_difference(const Comparison& c, const Quantity& q) {
+    const bool judged = q.verdict == Verdict::agree || q.verdict == Verdict::differ || q.verdict == Verdict::undecided;
+    if (!judged || c.sources.size() != 2 || !(q.interval > 0) || !(q.size > 0)) return {};
+    const bool in_per_cent = told_in_per_cent(q.values[q.a].value, q.values[q.b].value, q.size);
+    return Strip::Difference{in_per_cent ? difference_text(q.per_cent, 100 * q.interval / q.size)
+                                         : signed_text(q.difference, q.interval) + " " + unit_text(q.unit),
+                             q.difference, q.interval, c.agree_within * q.size};
 }
 
 std::string strip_of(const Comparison& c, const Quantity& q) {
@@ -66,27 +78,91 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
                                 m.known && !c.failed(s) ? m.value : std::nan(""), m.bar(), outer.above, outer.below});
     }
     for (const Reference& r : c.references)
-        if (r.quantity == q.name) strip.references.push_back({r.source, r.value, r.half_width});
+        if (r.quantity == q.name && !r.of_one_run) strip.references.push_back({r.source, r.value, r.half_width});
+    strip.difference = drawn_difference(c, q);
     return svg(strip);
+}
+
+/// The verdict as one reads it, and its colour.
+std::pair<const char*, const char*> headline_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::agree: return {"agree", "agree"};
+        case Verdict::differ: return {"differ", "differ"};
+        case Verdict::undecided: return {"not decided yet", "undecided"};
+        case Verdict::no_answer: return {"no answer yet", "undecided"};
+        case Verdict::not_converged: return {"not converged", "undecided"};
+        case Verdict::not_comparable:
+        case Verdict::not_estimated: break;
+    }
+    return {"", ""};
+}
+
+/// What is said of one quantity: of two methods the verdict in bold and how far they are apart, else whole sentences.
+std::string said_of(const Comparison& c, const Quantity& q) {
+    const auto [verdict, colour] = headline_of(q.verdict);
+    if (c.sources.size() == 2 && *verdict && !q.finding.empty() && q.not_resolved.empty())
+        return fmt::format("<p><b>{}: <span class=\"said {}\">{}</span>.</b> {}{}</p>", escaped(q.label), colour,
+                           verdict, escaped(q.finding), q.caveat.empty() ? "" : " (" + escaped(q.caveat) + ")");
+    std::string sentences;
+    for (const std::string& sentence : sentences_on(c, q)) {
+        const bool labelled = sentence.starts_with(q.label + ":");
+        const std::string rest = labelled ? sentence.substr(q.label.size() + 1) : sentence;
+        sentences += "<p>" + (labelled ? "<b>" + escaped(q.label) + ":</b>" : "") + escaped(rest) + "</p>";
+    }
+    return sentences;
+}
+
+/// Whether an interval of a difference is visibly narrower than the two bars above it.
+bool is_narrower(const Quantity& q) { return q.interval < 0.97 * std::hypot(q.values[q.a].bar(), q.values[q.b].bar()); }
+
+/// Total drag times speed, and its coefficient, where it is known.
+std::string power_text(const Comparison& c) {
+    const Quantity *power = c.find("effective_power"), *coefficient = c.find("resistance_coefficient"),
+                   *total = resistance_of(c);
+    if (!power || !total) return {};
+    std::string powers, coefficients;
+    for (std::size_t s = 0; s < c.sources.size(); ++s) {
+        const MeanValue &P = power->values[s], &R = total->values[s];
+        if (!P.known || c.failed(s) || !(R.value > 0)) continue;
+        const std::string who = method_label(c.names[s]);
+        powers += fmt::format("{}{} {} kW", powers.empty() ? "" : ", ", who,
+                              value_text(1e-3 * P.value, 1e-3 * P.value * R.bar() / R.value));
+        if (coefficient && coefficient->values[s].known)
+            coefficients += fmt::format("{}{} {}", coefficients.empty() ? "" : ", ", who,
+                                        number_text(coefficient->values[s].value, 3));
+    }
+    if (powers.empty()) return {};
+    return "<p class=\"note\">Effective power P<sub>E</sub> = R<sub>T</sub> U: " + escaped(powers) +
+           (coefficients.empty() ? "" : "; C<sub>T</sub> on what is wet: " + escaped(coefficients)) + ".</p>";
 }
 
 /// The sentences, with a strip each for the first quantities.
 std::string answer(const Comparison& c) {
     std::string failures, out;
     for (const std::string& sentence : failures_of(c)) failures += "<p>" + escaped(sentence) + "</p>";
+    const Quantity* resistance = resistance_of(c);
     std::size_t strips = 0;
+    bool explained = false;
     for (const Quantity* q : main_quantities(c.quantities)) {
-        std::string sentences;
-        for (const std::string& sentence : sentences_on(c, *q)) sentences += "<p>" + escaped(sentence) + "</p>";
-        const std::string strip = strips < most_strips ? strip_of(c, *q) : "";
+        std::string sentences = said_of(c, *q);
+        const bool drawn = strips < most_strips && q->verdict != Verdict::no_answer && q->not_resolved.empty();
+        std::string strip = drawn ? strip_of(c, *q) : "";
         if (!strip.empty()) ++strips;
-        if (sentences.empty() && !strip.empty()) sentences = "<p>" + escaped(q->label) + "</p>";
+        if (sentences.empty() && !strip.empty()) sentences = "<p><b>" + escaped(q->label) + "</b></p>";
+        if (!strip.empty() && !explained && drawn_difference(c, *q) && is_narrower(*q)) {
+            strip +=
+                "<p class=\"note why\">The difference is better known than the values: what the box adds is the same "
+                "in both. Shaded: agreement.</p>";
+            explained = true;
+        }
+        if (q == resistance) strip += power_text(c);
         if (!sentences.empty()) out += "<div class=\"answer\">" + sentences + strip + "</div>";
     }
     if (out.empty() && failures.empty())
         for (const std::string& sentence : verdict_sentences(c)) out += "<p>" + escaped(sentence) + "</p>";
     if (const std::string left_out = left_out_text(c); !left_out.empty())
-        out += "<p class=\"note\">Not in these intervals: " + escaped(left_out) + "; thin lines are with it.</p>";
+        out += "<p class=\"note\">The thin lines include what no run solves, the bars do not: " + escaped(left_out) +
+               ".</p>";
     return "<div class=\"verdict\">" + failures + out + "</div>";
 }
 
@@ -103,39 +179,37 @@ std::string pictures(const Comparison& c, const Figures& f) {
     return f.forces.empty() ? std::string() : figure_html(f.forces.front().plot);
 }
 
-/// One line on the screen; opened, and on paper, all of it.
-std::string line_of(const char* kind, const std::string& text) {
-    return fmt::format("<details class=\"line {}\"><summary>{}</summary></details>", kind, escaped(text));
+/// As much as there is room for; opened, and on paper, all of it.
+std::string line_of(const Doubt& doubt) {
+    return fmt::format(
+        "<details class=\"line {}\"><summary><span class=\"icon\" aria-hidden=\"true\">{}</span>{}"
+        "</summary></details>",
+        doubt.grave ? "bad" : "open", doubt.grave ? "×" : "!", escaped(doubt.text));
 }
 
 std::string trust(const Comparison& c) {
     std::string out;
-    for (const Gate& g : failed_gates(c.gates)) {
-        const std::string unit = g.unit == "-" || g.unit.empty() ? "" : " " + g.unit;
-        out += line_of(g.warns ? "open" : "bad",
-                       fmt::format("{}: {} {}{}, limit {}{}{}", method_label(g.source), g.name, plain_number(g.value),
-                                   unit, plain_number(g.limit), unit, g.remark.empty() ? "" : "; " + g.remark));
-    }
-    for (const std::string& banner : c.banners) out += line_of("open", banner);
+    for (const Doubt& doubt : doubts_of(c)) out += line_of(doubt);
     const auto met = std::ranges::count_if(c.gates, &Gate::pass);
     out += fmt::format("<p class=\"note\">{} of {} checks are met. Discretisation error: {}.</p>", met, c.gates.size(),
                        c.discretisation_from.empty() ? "not estimated" : "from " + escaped(c.discretisation_from));
-    return "<h2>Can it be trusted?</h2>" + out;
+    return "<div class=\"trust\"><h2>Can it be trusted?</h2>" + out + "</div>";
 }
 
 std::string next(const Comparison& c) {
     std::string out;
     for (const NextStep& step : next_steps(c))
         out += "<li>" + escaped(step.what) + "<br><code>" + escaped(step.command) + "</code></li>";
-    return out.empty() ? out : "<h2>What to do next</h2><ul class=\"next\">" + out + "</ul>";
+    return out.empty() ? out : "<div class=\"todo\"><h2>What to do next</h2><ul class=\"next\">" + out + "</ul></div>";
 }
 
 }  // namespace
 
 std::string first_screen(const Comparison& c, const Figures& f) {
     return "<header><h1>" + escaped(text_of(c.sources.front(), "title", "twinwake comparison")) + "</h1>" +
-           conditions(c) + "</header><div class=\"first\"><div>" + answer(c) + "</div><div>" + pictures(c, f) +
-           trust(c) + next(c) + "</div></div>";
+           conditions(c) + "</header><div class=\"first\"><div>" + answer(c) +
+           "</div><div class=\"beside\"><div class=\"seen\">" + pictures(c, f) + "</div>" + trust(c) + next(c) +
+           "</div></div>";
 }
 
 }  // namespace tw

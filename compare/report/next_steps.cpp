@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
+#include <sstream>
+#include <string_view>
 
-#include "record/record_numbers.h"
+#include "base/numbers.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
+#include "compare/report/sentences.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -31,6 +36,73 @@ double seconds_missing(const Comparison& c) {
     return most;
 }
 
+/// What the study's own command says of the scene, such as another speed or another size: " --speed '6 m/s'".
+/// `without`: options that the next command sets itself.
+using Options = std::initializer_list<std::string_view>;
+std::string carried_options(const RunRecord& run, Options without = {}) {
+    static constexpr std::string_view carried[] = {"--hull",  "--speed",    "--trim",   "--near-hull", "--spacing",
+                                                   "--scale", "--duration", "--method", "--effect"};
+    std::istringstream lines(text_of(run, "command"));
+    std::vector<std::string> words;
+    for (std::string word; std::getline(lines, word);) words.push_back(word);
+    std::string options;
+    const auto is_carried = [&](std::string_view option) {
+        return std::ranges::find(without, option) == without.end() &&
+               std::ranges::find(carried, option) != std::end(carried);
+    };
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (const auto equals = words[i].find('=');
+            equals != std::string::npos && is_carried(words[i].substr(0, equals)))
+            options += " " + shell_word(words[i]);
+        else if (is_carried(words[i]) && i + 1 < words.size())
+            options += " " + words[i] + " " + shell_word(words[i + 1]), ++i;
+    return options;
+}
+
+/// A word of the study's own command.
+bool was_asked(const RunRecord& run, const std::string& option) {
+    return ("\n" + text_of(run, "command")).find("\n" + option) != std::string::npos;
+}
+
+/// Options that make a run of the scene file `finer` times as fine as the study's own, which --scale or --budget may have
+/// made at other sizes than the file's; 1: at the study's own. Everything else of its command stays, but for `without`.
+std::string at_size(const RunRecord& run, double finer, std::string_view without = {}) {
+    const double scale = number_of(run, "size_scale", 1) / finer;
+    const bool file_s = std::abs(scale - 1) < 1e-9;
+    return (file_s ? "" : fmt::format(" --scale {:.4g}", scale)) + carried_options(run, {"--scale", without});
+}
+
+/// Of all methods and their coarser twins at a size `finer` times as fine: h^-4 in space and time, h^-3 in two dimensions
+/// [s]; 0: the records do not say how long they took.
+double seconds_at(const Comparison& c, double finer) {
+    double sum = 0;
+    for (const RunRecord& r : c.sources) {
+        const double order = number_of(r, "dimensions", 3) == 2 ? 3 : 4;
+        double own = 0;
+        for (const Phase& phase : r.phases) own += phase.wall;
+        for (const double coarser : {1.0, std::sqrt(2.0), 2.0}) sum += own * std::pow(finer / coarser, order);
+    }
+    return sum;
+}
+
+std::string millimetres(double metres) { return number_text(1e3 * metres) + " mm"; }
+
+/// The longest time that would bring a main quantity, not decided yet, to the target; nan: none is told [s].
+double seconds_to_decide(const Comparison& c) {
+    double most = nan;
+    for (const Quantity* q : main_quantities(c.quantities))
+        for (const Difference& d : q->differences())
+            if (d.verdict == Verdict::undecided && d.seconds_to_target <= longest_runs)
+                most = std::isfinite(most) ? std::max(most, d.seconds_to_target) : d.seconds_to_target;
+    return most;
+}
+
+/// "13h", as --budget reads it; rounded up.
+std::string budget_text(double seconds) {
+    return seconds < 7200 ? fmt::format("{:.0f}min", std::ceil(seconds / 60))
+                          : fmt::format("{:.0f}h", std::ceil(seconds / 3600));
+}
+
 }  // namespace
 
 std::vector<NextStep> next_steps(const Comparison& c) {
@@ -39,27 +111,45 @@ std::vector<NextStep> next_steps(const Comparison& c) {
     const auto new_folder = [&](const char* what) {
         return " --out " + shell_word("runs/" + std::filesystem::path(file).stem().string() + "_" + what);
     };
+    const double size = number_of(first, "near_hull", 0);
+    const bool other_size =
+        was_asked(first, "--scale") || was_asked(first, "--budget") || was_asked(first, "--near-hull");
+    const std::string at_its_size = size > 0 && other_size ? ", at this study's " + millimetres(size) : "";
     std::vector<NextStep> steps;
     const auto stopped = std::ranges::count_if(c.sources, [](const RunRecord& r) { return r.state == "stopped"; });
     if (stopped > 0)
         steps.push_back({"Finish what was stopped.", "twinwake run " + scene + " --resume"});
     else if (const double missing = seconds_missing(c), duration = number_of(first, "duration", 0);
              missing > 0 && duration > 0)
-        steps.push_back({fmt::format("Simulate longer: the means need {} more.", about_text(missing)),
-                         fmt::format("twinwake run {} --duration \"{:.3g} s\"{}", scene, 1.05 * (duration + missing),
-                                     new_folder("longer"))});
+        steps.push_back(
+            {fmt::format("Simulate longer: the means need {} more.", about_text(missing)),
+             fmt::format("twinwake run {}{} --duration \"{:.3g} s\"{}", scene, at_size(first, 1, "--duration"),
+                         1.05 * (duration + missing), new_folder("longer"))});
     if (c.sources.size() == 1 && find_method(text_of(first, "method")))
-        steps.push_back({"Solve it with the other method as well.", "twinwake run " + scene + " --method both"});
+        steps.push_back({"Solve it with the other method as well" + at_its_size + ".",
+                         "twinwake run " + scene + at_size(first, 1, "--method") + " --method both"});
     if (c.sources.size() > 1 && c.discretisation_from.empty())
-        steps.push_back({"Run the coarser twins too: only several sizes give the discretisation error and a verdict.",
-                         "twinwake run " + scene});
+        steps.push_back({"Run the coarser twins too" + at_its_size +
+                             ": only several sizes give the discretisation error and a verdict.",
+                         "twinwake run " + scene + at_size(first, 1)});
     const bool diverges = any_verdict(c, Verdict::not_converged);
-    if (const double size = number_of(first, "near_hull", 0);
-        size > 0 && !c.discretisation_from.empty() && (diverges || any_verdict(c, Verdict::undecided)))
-        steps.push_back({diverges ? "Refine: a further size shows whether the values converge."
-                                  : "Refine: smaller sizes narrow the intervals.",
-                         fmt::format("twinwake run {} --near-hull \"{:.3g} mm\"{}", scene, 1e3 * size / std::sqrt(2.0),
-                                     new_folder("finer"))});
+    const bool open = diverges || any_verdict(c, Verdict::undecided) || any_verdict(c, Verdict::no_answer);
+    if (size > 0 && !c.discretisation_from.empty() && open) {
+        const double finer = std::sqrt(2.0), seconds = seconds_at(c, finer);
+        const std::string time = seconds > 0 ? fmt::format(", {} of computing here", about_text(seconds)) : "";
+        steps.push_back(
+            {fmt::format(
+                 "Refine from {} to {} at the hull{}: {}.", millimetres(size), millimetres(size / finer), time,
+                 diverges ? "a further size shows whether the values converge" : "smaller sizes narrow the intervals"),
+             "twinwake run " + scene + at_size(first, finer) + new_folder("finer")});
+        if (const double needed = seconds_to_decide(c); std::isfinite(needed))
+            steps.push_back({fmt::format("Or let it take the sizes that {} of computing allow: that would bring the "
+                                         "intervals of what is not decided yet to ±{:g} %.",
+                                         time_text(needed), 100 * c.agree_within),
+                             fmt::format("twinwake run {}{} --budget {}{}", scene,
+                                         carried_options(first, {"--scale", "--near-hull", "--spacing"}),
+                                         budget_text(needed), new_folder("decided"))});
+    }
     if (const double speed = number_of(first, "speed", 0); steps.empty() && is_stream(first) && speed > 0)
         steps.push_back({"See whether it holds at other speeds.",
                          fmt::format("twinwake sweep {} --speeds \"{:.3g} m/s\" \"{:.3g} m/s\" \"{:.3g} m/s\"", scene,

@@ -20,7 +20,7 @@ int decimals(double value, double half_width) {
 /// Plain digits where they are readable, powers of ten elsewhere; `size` decides for a value and its interval alike.
 std::string digits(double value, int places, double size) {
     const std::string sign = value < 0 ? "−" : "";
-    if (size != 0 && (size >= 1e7 || size < 1e-4)) return sign + plain_number(std::abs(value));
+    if (size != 0 && (size >= 1e7 || size < 1e-4)) return number_text(value);
     if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return "0";  // and no "-0.00"
     return fmt::format("{}{:.{}f}", sign, std::abs(value), places);
 }
@@ -63,6 +63,28 @@ std::string per_cent_text(double per_cent, double interval) {
                                         : fmt::format("{:.{}f}", interval, places));
 }
 
+std::string number_text(double value, int digits) {
+    const std::string text = plain_number(value, digits);
+    return text.starts_with('-') ? "−" + text.substr(1) : text;
+}
+
+std::string unit_text(const std::string& unit) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    std::string out;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+        const bool ends = i + 1 == unit.size() || (!letter(unit[i + 1]) && (unit[i + 1] < '0' || unit[i + 1] > '9'));
+        const bool power = i > 0 && letter(unit[i - 1]) && ends;
+        out += power && unit[i] == '2' ? "²" : power && unit[i] == '3' ? "³" : std::string(1, unit[i]);
+    }
+    return out;
+}
+
+std::string label_text(const std::string& label) {
+    const auto open = label.rfind('['), close = label.rfind(']');
+    if (open == label.npos || close == label.npos || close < open) return label;
+    return label.substr(0, open) + unit_text(label.substr(open, close - open)) + label.substr(close);
+}
+
 namespace {
 bool is_mean(double size, double a, double b) { return size <= 0.5 * std::abs(a + b) * (1 + 1e-9); }
 }  // namespace
@@ -77,7 +99,8 @@ std::string difference_text(double per_cent, double interval, const std::string&
 }
 
 std::string of_scale(double size, double a, double b, const std::string& unit) {
-    return size > 0 && !is_mean(size, a, b) ? fmt::format(" of {} {}", plain_number(size, 2), unit) : std::string();
+    return size > 0 && !is_mean(size, a, b) ? fmt::format(" of {} {}", plain_number(size, 2), unit_text(unit))
+                                            : std::string();
 }
 
 std::string share_text(double per_cent) {

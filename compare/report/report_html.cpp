@@ -163,7 +163,11 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     if (!f.bodies.empty()) out += "<h2>Bodies that move</h2>" + figure_list(f.bodies) + mesh_motion_note(c);
     if (!f.probes.empty()) out += "<h2>Probes</h2>" + figure_list(f.probes);
     out += water_section(c, f, view);
-    if (!f.splash.empty()) out += "<h2>Splash</h2>" + figure_list(f.splash);
+    if (!f.splash.empty() || !f.splash_not_drawn.empty())
+        out += "<h2>Splash</h2>" + figure_list(f.splash) +
+               (f.splash_not_drawn.empty() ? ""
+                                           : "<p class=\"note\">Height and amount of the spray are not drawn: " +
+                                                 escaped(f.splash_not_drawn) + ".</p>");
     if (!f.wetting.empty() || !f.cuts.empty())
         out += "<h2>Wetted length and free surface</h2>" + figure_list(f.wetting) + figure_list(f.cuts);
     out += details + resolution_section(c, f) + "<h2>All numbers</h2>";

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compare/report/escape.h"
-#include "text/plain_number.h"
+#include "compare/report/numbers.h"
 
 namespace tw {
 
@@ -14,14 +14,19 @@ namespace {
 
 using Align = ReportColumn::Align;
 
+constexpr const char* unit_column = "unit";  ///< its cells are units
+
 std::string words_of(const ReportCell& cell, const ReportColumn& column) {
-    if (!cell.is_number) return cell.text;
-    return std::isfinite(cell.number) ? plain_number(cell.number, column.digits) : "–";
+    if (!cell.is_number) return column.name == unit_column ? unit_text(cell.text) : cell.text;
+    return std::isfinite(cell.number) ? number_text(cell.number, column.digits) : "–";
 }
 
-std::string head_of(const ReportColumn& column) {
+/// Of a file, whose units are plain text.
+std::string plain_head_of(const ReportColumn& column) {
     return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
+
+std::string head_of(const ReportColumn& column) { return label_text(plain_head_of(column)); }
 
 /// One line that neither steers the terminal nor ends its cell.
 std::string one_line(const std::string& text) {
@@ -184,7 +189,7 @@ std::string csv_cell(const std::string& text) {
 std::string csv_of(const ReportTable& table) {
     std::string out;
     for (std::size_t c = 0; c < table.columns.size(); ++c)
-        out += (c > 0 ? "," : "") + csv_cell(head_of(table.columns[c]));
+        out += (c > 0 ? "," : "") + csv_cell(plain_head_of(table.columns[c]));
     out += "\n";
     for (const ReportRow& row : table.rows) {
         for (std::size_t c = 0; c < table.columns.size(); ++c) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "compare/report/numbers.h"
+#include "compare/verdict/judge.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"
@@ -28,9 +29,9 @@ std::string apart_text(const Statement& s) {
         const int larger = std::abs(s.values[0]) > std::abs(s.values[1]) ? 0 : 1, smaller = 1 - larger;
         const double rest = s.values[smaller];
         const std::string sign = rest < 0 ? "−" : "";
-        return fmt::format("{} {} {}, {} {}", larger == 0 ? a : b, value_text(s.values[larger], 0), s.unit,
+        return fmt::format("{} {} {}, {} {}", larger == 0 ? a : b, value_text(s.values[larger], 0), unit_text(s.unit),
                            smaller == 0 ? a : b,
-                           rest == 0 ? "0" : sign + plain_number(std::abs(rest), 2) + " " + s.unit);
+                           rest == 0 ? "0" : sign + plain_number(std::abs(rest), 2) + " " + unit_text(s.unit));
     }
     const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
     if (per_cent < least_per_cent) return fmt::format("{} and {} are the same to {}", a, b, share_text(least_per_cent));
@@ -41,7 +42,8 @@ std::string apart_text(const Statement& s) {
 
 /// In per cent of the values, or in their unit where per cent say nothing.
 std::string size_text(double size, const Statement& s) {
-    return in_per_cent(s) ? share_text(100 * size / s.size) : fmt::format("{} {}", plain_number(size, 2), s.unit);
+    return in_per_cent(s) ? share_text(100 * size / s.size)
+                          : fmt::format("{} {}", plain_number(size, 2), unit_text(s.unit));
 }
 std::string plus_minus(double U, const Statement& s) { return "±" + size_text(U, s); }
 std::string target_text(const Statement& s) { return size_text(s.target * s.size, s); }
@@ -67,43 +69,58 @@ std::string interval_text(const Statement& s) {
 
 std::string one_method(const Statement& s) {
     if (!std::isfinite(s.interval))
-        return fmt::format("{} {} by {}, without an interval: {}", value_text(s.values[0], 0), s.unit,
+        return fmt::format("{} {} by {}, without an interval: {}", value_text(s.values[0], 0), unit_text(s.unit),
                            method_label(s.methods[0]), s.why);
-    return fmt::format("{} {} by {}, {}", value_text(s.values[0], s.interval), s.unit, method_label(s.methods[0]),
-                       interval_text(s));
+    if (s.size > 0 && s.interval > widest_answer * s.size)
+        return fmt::format("no answer yet: {} {} by {}, {}", value_text(s.values[0], s.interval), unit_text(s.unit),
+                           method_label(s.methods[0]), interval_text(s));
+    return fmt::format("{} {} by {}, {}", value_text(s.values[0], s.interval), unit_text(s.unit),
+                       method_label(s.methods[0]), interval_text(s));
 }
 
+/// Nobody is told of runs that nobody waits for.
 std::string remedy(const Statement& s) {
-    if (!std::isfinite(s.seconds_to_target)) return {};
-    if (s.seconds_to_target > longest_runs)
-        return fmt::format("; further runs of {} would not bring it to ±{}", time_text(longest_runs), target_text(s));
+    if (!(s.seconds_to_target <= longest_runs)) return {};
     return fmt::format("; {} of further runs would bring it to ±{}", time_text(s.seconds_to_target), target_text(s));
 }
 
-std::string two_methods(const Statement& s) {
+/// How far two values are apart, and how well that is known; `verdict`: with it, in words.
+std::string two_methods(const Statement& s, bool verdict) {
+    const auto said = [&](const std::string& words) { return verdict ? ": " + words : std::string(); };
     switch (s.verdict) {
         case Verdict::agree:
-            return fmt::format("{}, {}: they agree within {}", apart_text(s), interval_text(s), target_text(s));
+            return fmt::format("{}, {}{}", apart_text(s), interval_text(s),
+                               said("they agree within " + target_text(s)));
         case Verdict::differ:
-            return fmt::format("{}, {}: they differ{}", apart_text(s), interval_text(s), within_target(s));
+            return fmt::format("{}, {}{}{}", apart_text(s), interval_text(s), said("they differ"), within_target(s));
         case Verdict::undecided:
-            return fmt::format("{}, {}: no difference shown{}", apart_text(s), interval_text(s), remedy(s));
+            return fmt::format("{}, {}{}{}", apart_text(s), interval_text(s), said("no difference shown"), remedy(s));
+        case Verdict::no_answer:
+            return fmt::format("{}, {}{}{}", apart_text(s), interval_text(s), said("no answer yet"), remedy(s));
         case Verdict::not_converged:
-            return std::isfinite(s.interval)
-                       ? fmt::format("{}, {} as a bound: not converged, {}", apart_text(s), interval_text(s), s.why)
-                       : fmt::format("{}, without an interval: not converged, {}", apart_text(s), s.why);
+            return std::isfinite(s.interval) ? fmt::format("{}, {} as a bound{}{}", apart_text(s), interval_text(s),
+                                                           said("not converged, "), verdict ? s.why : "; " + s.why)
+                                             : fmt::format("{}, without an interval{}{}", apart_text(s),
+                                                           said("not converged, "), verdict ? s.why : "; " + s.why);
         case Verdict::not_comparable:
         case Verdict::not_estimated: break;
     }
+    if (!verdict) return s.why;
     return verdict_label(s.verdict) + (s.why.empty() ? "" : ": " + s.why);
 }
 
 }  // namespace
 
 std::string sentence_of(const Statement& s) {
-    if (s.values.size() == 2 && s.methods.size() == 2) return s.label + ": " + two_methods(s) + ".";
+    if (s.values.size() == 2 && s.methods.size() == 2) return s.label + ": " + two_methods(s, true) + ".";
     if (s.values.size() == 1 && s.methods.size() == 1) return s.label + ": " + one_method(s) + ".";
     return s.label + ": " + verdict_label(s.verdict) + (s.why.empty() ? "" : ": " + s.why) + ".";
+}
+
+std::string finding_of(const Statement& s) {
+    if (s.values.size() != 2 || s.methods.size() != 2) return {};
+    const std::string text = two_methods(s, false);
+    return text.empty() ? text : text + ".";
 }
 
 namespace {
@@ -126,14 +143,15 @@ std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
     const bool in_per_cent = told_in_per_cent(value_a, value_b, q.size);
     const auto size_text = [&](double size) {
         return in_per_cent ? fmt::format("{:.1f} %", 100 * std::abs(size) / q.size)
-                           : fmt::format("{} {}", plain_number(std::abs(size), 2), q.unit);
+                           : fmt::format("{} {}", plain_number(std::abs(size), 2), unit_text(q.unit));
     };
     std::string text = fmt::format("{}: apart by {} at this size", q.label, size_text(q.difference));
     if (comparison.sources.size() > 2)
         text =
             fmt::format("{}: {} and {} are farthest apart, by {} at this size", q.label, a, b, size_text(q.difference));
     if (!in_per_cent)
-        text += fmt::format(" ({} {}, {} {} {})", a, value_text(value_a, 0), b, value_text(value_b, 0), q.unit);
+        text +=
+            fmt::format(" ({} {}, {} {} {})", a, value_text(value_a, 0), b, value_text(value_b, 0), unit_text(q.unit));
     else if (q.difference != 0)
         text += fmt::format(" ({} {})", b, q.difference < 0 ? "lower" : "higher");
     if (q.interval > 0 && q.size > 0) text += fmt::format(", ± {} {}", size_text(q.interval), limit_of(q));

@@ -31,6 +31,9 @@ struct Statement {
 /// difference shown; 40 min of finer runs would bring it to ±5 %." No per cent in it is without an interval or the words
 /// that it has none.
 std::string sentence_of(const Statement& statement);
+/// The same without the quantity and the verdict, where these stand beside it: "SPH 3.1 % above interFoam, discretisation
+/// error ±9 %; 40 min of further runs would bring it to ±5 %."
+std::string finding_of(const Statement& statement);
 
 /// "SPH failed: ...", for each run that did.
 std::vector<std::string> failures_of(const Comparison& comparison);

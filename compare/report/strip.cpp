@@ -14,7 +14,7 @@ namespace {
 
 constexpr double strip_width = 630, axis_left = 82, axis_right = 450, row_height = 19;
 
-/// What the axis shows: values and references, and of each interval at most the size of its value.
+/// What the axis shows: values and references with their intervals.
 struct StripAxis {
     double low = HUGE_VAL, high = -HUGE_VAL;
 
@@ -29,7 +29,6 @@ struct StripAxis {
     void add(double value, double half_width) {
         if (!std::isfinite(value)) return;
         if (!std::isfinite(half_width)) half_width = 0;
-        if (value != 0) half_width = std::min(half_width, std::abs(value));
         low = std::min(low, value - half_width);
         high = std::max(high, value + half_width);
     }
@@ -79,6 +78,28 @@ std::string drawn(const Strip::Reference& r, const StripAxis& X, double top, dou
            fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left, top - 5, escaped(r.name));
 }
 
+/// The difference on an axis of its own, about zero, with what counts as agreement as a band.
+std::string drawn(const Strip::Difference& d, double y) {
+    const double reach = 1.08 * std::max(std::abs(d.value) + d.half_width, 1.2 * d.target);
+    const auto X = [&](double v) { return axis_left + (axis_right - axis_left) * (0.5 + 0.5 * v / reach); };
+    const double from = X(d.value - d.half_width), to = X(d.value + d.half_width);
+    std::string out =
+        fmt::format("<text class=\"end\" x=\"{:.0f}\" y=\"{:.1f}\">difference</text>", axis_left - 8, y + 4);
+    out += fmt::format("<rect class=\"reference-band\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"14\"/>",
+                       X(-d.target), y - 7, X(d.target) - X(-d.target));
+    out += fmt::format("<line class=\"level\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>", X(0),
+                       y - 9, y + 9);
+    out += fmt::format("<line class=\"bar apart\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", from, to,
+                       y, y);
+    for (const double end : {from, to})
+        out += fmt::format("<line class=\"mean apart\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>",
+                           end, y - 4, y + 4);
+    out += fmt::format("<circle class=\"apart dot\" stroke-width=\"2\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>",
+                       X(d.value), y);
+    return out + fmt::format("<text class=\"value\" x=\"{:.0f}\" y=\"{:.1f}\">{}</text>", axis_right + 10, y + 4,
+                             escaped(d.text));
+}
+
 }  // namespace
 
 std::string svg(const Strip& strip) {
@@ -107,10 +128,16 @@ std::string svg(const Strip& strip) {
         label += fmt::format("; {} {}", v.name, v.text);
         y += row_height;
     }
+    double height = bottom + 17;
+    if (strip.difference) {
+        content += drawn(*strip.difference, height + 9);
+        label += "; difference " + strip.difference->text;
+        height += 20;
+    }
     return fmt::format(
         "<svg class=\"strip\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\" "
         "xmlns=\"http://www.w3.org/2000/svg\">{}</svg>",
-        strip_width, bottom + 17, escaped(label), content);
+        strip_width, height, escaped(label), content);
 }
 
 }  // namespace tw

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,20 @@ struct Strip {
         std::string name;
         double value = 0, half_width = 0;
     };
+    /// Of the second value from the first, in one unit.
+    struct Difference {
+        std::string text;
+        double value = 0, half_width = 0;
+        double target = 0;  ///< up to which the two agree
+    };
     std::string title;
     std::vector<Value> values;
     std::vector<Reference> references = {};
+    std::optional<Difference> difference = {};
 };
 
-/// One <svg> element without scripts; empty where no value is finite. An interval that is wider than the values are
-/// large runs to the end of the axis.
+/// One <svg> element without scripts; empty where no value is finite. Every interval is drawn whole. The difference has
+/// a line and an axis of its own, about zero.
 std::string svg(const Strip& strip);
 
 }  // namespace tw

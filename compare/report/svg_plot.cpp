@@ -8,6 +8,7 @@
 
 #include "compare/report/escape.h"
 #include "compare/report/label_places.h"
+#include "compare/report/numbers.h"
 #include "compare/report/style.h"
 
 namespace tw {
@@ -90,15 +91,18 @@ Plot in_logarithms(const Plot& p) {
     return q;
 }
 
-std::vector<double> tick_places(double low, double high, int about, bool logarithmic) {
+/// `room`: for their numbers beside each other [px]; where it does not do, decades alone have one.
+std::vector<double> tick_places(double low, double high, int about, bool logarithmic, double room) {
     if (!logarithmic) return ticks(low, high, about);
     std::vector<double> places = log_ticks(std::pow(10, low), std::pow(10, high));
+    if (constexpr double widest = 42; widest * static_cast<double>(places.size()) > room)
+        std::erase_if(places, [](double v) { return std::abs(std::log10(v) - std::round(std::log10(v))) > 1e-9; });
     std::ranges::transform(places, places.begin(), [](double v) { return std::log10(v); });
     return places;
 }
 
 std::string axis_text(double v, double step, bool logarithmic) {
-    return logarithmic ? fmt::format("{:.3g}", std::pow(10, v)) : tick_text(v, step);
+    return logarithmic ? number_text(std::pow(10, v)) : tick_text(v, step);
 }
 
 std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const auto& X, const auto& Y) {
@@ -144,7 +148,7 @@ Drawing draw(const Plot& plot) {
     if (xr.flat()) xr.widen(0.05);
     if (std::ranges::any_of(p.lines, &PlotLine::points)) xr.widen(0.04);
 
-    constexpr int left = 66, right = 14, bottom = 44;
+    const int left = p.y_label.empty() ? 46 : 66, right = 14, bottom = p.x_label.empty() ? 22 : 44;
     int legend_rows = 0;
     double legend_x = 0;
     std::string legend;
@@ -186,8 +190,10 @@ Drawing draw(const Plot& plot) {
             "<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
             "preserveAspectRatio=\"none\"/>",
             i.png_base64, X(i.x_min), Y(i.y_max), X(i.x_max) - X(i.x_min), Y(i.y_min) - Y(i.y_max));
-    const auto x_ticks = tick_places(xr.low, xr.high, 8, p.log_x),
-               y_ticks = tick_places(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)), p.log_y);
+    const auto x_ticks =
+                   tick_places(xr.low, xr.high, std::max(2, static_cast<int>(plot_width / 65)), p.log_x, plot_width),
+               y_ticks =
+                   tick_places(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)), p.log_y, HUGE_VAL);
     if (p.images.empty()) {
         for (const double v : x_ticks)
             out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", X(v),
@@ -234,7 +240,7 @@ Drawing draw(const Plot& plot) {
         "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" data-axes=\"{:.9g} {:.9g} {:.9g} "
         "{:.9g}\" data-log=\"{}{}\" data-x=\"{}\" data-y=\"{}\"/>",
         left, top, plot_width, plot_height, xr.low, xr.high, yr.low, yr.high, p.log_x ? "x" : "", p.log_y ? "y" : "",
-        escaped(p.x_label), escaped(p.y_label));
+        escaped(label_text(p.x_label)), escaped(label_text(p.y_label)));
     const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
     for (const double v : x_ticks)
         out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15,
@@ -242,10 +248,12 @@ Drawing draw(const Plot& plot) {
     for (const double v : y_ticks)
         out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4,
                            axis_text(v, step(y_ticks), p.log_y));
-    out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width,
-                       top + plot_height + 34, escaped(p.x_label));
-    out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
-                       top + 0.5 * plot_height, escaped(p.y_label));
+    if (!p.x_label.empty())
+        out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width,
+                           top + plot_height + 34, escaped(label_text(p.x_label)));
+    if (!p.y_label.empty())
+        out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
+                           top + 0.5 * plot_height, escaped(label_text(p.y_label)));
     return {out, p.width, height};
 }
 
@@ -323,7 +331,8 @@ std::vector<double> ticks(double low, double high, int about) {
 std::string tick_text(double v, double step) {
     if (std::abs(v) < 1e-9 * step) v = 0;
     const int places = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6);
-    return std::abs(v) >= 1e6 ? fmt::format("{:.4g}", v) : fmt::format("{:.{}f}", v, places);
+    if (std::abs(v) >= 1e6) return number_text(v, 4);
+    return (v < 0 ? "−" : "") + fmt::format("{:.{}f}", std::abs(v), places);
 }
 
 std::vector<double> log_ticks(double low, double high) {

@@ -27,9 +27,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_steps = 60, fewest_steps = 24, most_hull_triangles = 16000, most_points = 65536;
+constexpr std::size_t most_steps = 60, fewest_steps = 24, most_hull_triangles = 65536, most_points_of_water = 65536;
 /// Script, markup, legend and times need less than this of the section.
-constexpr std::size_t markup_bytes = 100'000;
+constexpr std::size_t markup_bytes = 650'000;
+/// Places over the box's edges: of water, whose raster has fewer voxels, and of solids, whose edges are seen.
+constexpr unsigned water_steps = 4095, solid_steps = 65535;
 constexpr std::size_t pose_bytes = 16 * 26;  ///< sixteen numbers with all their digits
 
 /// The frames of a source that can be drawn, in order of time.
@@ -119,7 +121,7 @@ std::size_t nearest(const std::vector<const RasterFrame*>& frames, double time) 
 struct Film {
     std::vector<std::size_t> frame;  ///< number among the source's drawable frames, increasing
     std::vector<std::size_t> step;   ///< per step, number in `frame`
-    std::vector<std::string> points, triangles;
+    Json water;                      ///< the surfaces, as the script reads them
 };
 struct View {
     std::vector<double> times;  ///< of the steps [s]
@@ -128,6 +130,14 @@ struct View {
     std::size_t bytes = 0;
     bool numbers_fit = true;  ///< 16 bits number the points of each surface
 };
+
+/// What the script needs of surfaces: their block, the numbers of their points and triangles, and how fine places are.
+Json json_of(const SurfacePack& pack) {
+    return {{"points", pack.points()},
+            {"triangles", pack.triangles()},
+            {"steps", pack.steps()},
+            {"block", pack.size() > 0 ? pack.block() : ""}};
+}
 
 View make_view(const Comparison& c, const Stage& stage, std::size_t steps, int coarsening) {
     View view;
@@ -139,20 +149,22 @@ View make_view(const Comparison& c, const Stage& stage, std::size_t steps, int c
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         Film& film = view.films.emplace_back();
         const auto& frames = stage.frames[s];
+        SurfacePack pack(stage.box, water_steps);
+        film.water = json_of(pack);
         if (frames.empty()) continue;
         for (std::size_t k = 0; k < steps; ++k) {
             const std::size_t frame = k + 1 == steps ? frames.size() - 1 : nearest(frames, view.times[k]);
             if (film.frame.empty() || film.frame.back() != frame) {
                 const Surface water = water_surface(c.sources[s], *frames[frame], coarsening);
-                view.numbers_fit = view.numbers_fit && water.points.size() <= most_points;
+                view.numbers_fit = view.numbers_fit && water.points.size() <= most_points_of_water;
                 if (!view.numbers_fit) return view;
                 film.frame.push_back(frame);
-                film.points.push_back(packed_points(water, stage.box));
-                film.triangles.push_back(packed_triangles(water));
-                view.bytes += film.points.back().size() + film.triangles.back().size() + 6;  // with quotes and commas
+                pack.add(water);
             }
             film.step.push_back(film.frame.size() - 1);
         }
+        film.water = json_of(pack);
+        view.bytes += film.water.dump().size();
     }
     return view;
 }
@@ -226,10 +238,10 @@ Json solids_json(const Comparison& c, const Stage& stage, const View& view,
                  const std::optional<PressureRange>& pressure) {
     Json solids = Json::array();
     for (const DrawnSolid& solid : stage.solids) {
-        Json json = {{"sources", solid.sources},
-                     {"points", packed_points(solid.surface, stage.box)},
-                     {"triangles", packed_triangles(solid.surface)},
-                     {"pressures", pressures_json(c, solid, pressure)}};
+        SurfacePack pack(stage.box, solid_steps);
+        pack.add(solid.surface);
+        Json json = {
+            {"sources", solid.sources}, {"surface", json_of(pack)}, {"pressures", pressures_json(c, solid, pressure)}};
         for (std::size_t k = 0; k < solid.sources.size() && solid.moves(); ++k) {
             const std::size_t s = solid.sources[k];
             Json poses = Json::array();
@@ -256,8 +268,7 @@ std::string data_block(const Comparison& c, const Stage& stage, const View& view
                            {"mirror", is_mirrored(c.sources[s])},
                            {"time", times},
                            {"step", view.films[s].step},
-                           {"points", view.films[s].points},
-                           {"triangles", view.films[s].triangles}});
+                           {"water", view.films[s].water}});
     }
     const Json pressure_colours =
         pressure ? Json({{"stops", pressure_scale(pressure->low, pressure->high).stops()}}) : Json();
@@ -329,7 +340,7 @@ std::string view3d_section(const Comparison& c) {
     if (stage.most_frames == 0) return {};
     std::size_t used = markup_bytes;
     for (const DrawnSolid& solid : stage.solids) {
-        used += 8 * (solid.surface.points.size() + solid.surface.triangles.size());  // six bytes as base64
+        used += 4 * (solid.surface.points.size() + solid.surface.triangles.size());  // three bytes, as base64
         used += 2 * solid.sources.size() * solid.surface.triangles.size();           // pressures: one byte
         if (solid.moves()) used += solid.sources.size() * most_steps * pose_bytes;
     }

@@ -6,8 +6,12 @@
 #include <vtkPolyData.h>
 #include <vtkQuadricClustering.h>
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <new>
 #include <stdexcept>
 
 #include "compare/report/base64.h"
@@ -18,9 +22,30 @@ namespace tw {
 
 namespace {
 
-void append16(std::string& bytes, unsigned value) {
-    bytes += static_cast<char>(value & 255);
-    bytes += static_cast<char>(value >> 8 & 255);
+constexpr std::size_t most_points = 65536;  ///< that 16 bits number
+
+/// Differences of 16-bit numbers, as they are stored.
+void append_row(std::string& bytes, const std::vector<std::uint16_t>& numbers) {
+    std::string low, high;
+    std::uint16_t before = 0;
+    for (const std::uint16_t number : numbers) {
+        const auto change = static_cast<std::int16_t>(static_cast<std::uint16_t>(number - before));
+        const auto folded = static_cast<std::uint16_t>((change << 1) ^ (change >> 15));
+        low += static_cast<char>(folded & 255);
+        high += static_cast<char>(folded >> 8);
+        before = number;
+    }
+    bytes += low + high;
+}
+
+std::string deflated(const std::string& bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::string out(size, '\0');
+    const int state = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+    if (state != Z_OK) throw std::bad_alloc();  // all else is room enough
+    out.resize(size);
+    return out;
 }
 
 }  // namespace
@@ -34,14 +59,15 @@ Surface light_surface(const Surface& surface, std::size_t most) {
     const double length = box.size().maxCoeff();
     if (!std::isfinite(length)) return {};
     Surface light = welded(finite, 1e-6 * length);
-    if (light.triangles.size() <= most) return light;
+    const auto fits = [&] { return light.triangles.size() <= most && light.points.size() <= most_points; };
+    if (fits()) return light;
     // Points in one cell of a lattice become one, where the planes of their triangles meet: chines stay sharp. Linear
     // in the number of triangles, which may be millions.
     double area = 0;
     for (int t = 0; t < static_cast<int>(light.triangles.size()); ++t) area += 0.5 * light.area_vector2(t).norm();
     const auto data = poly_data_of(light);
     double cell = std::max(std::sqrt(area / static_cast<double>(most)), 1e-3 * length);
-    for (; light.triangles.size() > most; cell *= 1.2) {
+    for (; !fits(); cell *= 1.2) {
         const auto cells = [&](int axis) {
             return std::clamp(static_cast<int>(std::ceil(box.size()[axis] / cell)), 1, 500);
         };
@@ -55,24 +81,25 @@ Surface light_surface(const Surface& surface, std::size_t most) {
     return light;
 }
 
-std::string packed_points(const Surface& surface, const Box& box) {
-    std::string bytes;
-    bytes.reserve(6 * surface.points.size());
-    for (const Vec3& p : surface.points)
-        for (int axis = 0; axis < 3; ++axis) {
-            const double edge = box.size()[axis], share = edge > 0 ? (p[axis] - box.min[axis]) / edge : 0;
-            append16(bytes, static_cast<unsigned>(std::lround(65535 * std::clamp(share, 0.0, 1.0))));
-        }
-    return base64(bytes);
+void SurfacePack::add(const Surface& surface) {
+    if (surface.points.size() > most_points) throw std::length_error("more points than 16 bits can number");
+    points_.push_back(surface.points.size());
+    triangles_.push_back(surface.triangles.size());
+    std::vector<std::uint16_t> row(surface.points.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        const double edge = box_.size()[axis];
+        std::ranges::transform(surface.points, row.begin(), [&](const Vec3& p) {
+            const double share = edge > 0 ? (p[axis] - box_.min[axis]) / edge : 0;
+            return static_cast<std::uint16_t>(std::lround(steps_ * std::clamp(share, 0.0, 1.0)));
+        });
+        append_row(places_, row);
+    }
+    row.clear();
+    for (const auto& t : surface.triangles)
+        for (const int corner : t) row.push_back(static_cast<std::uint16_t>(corner));
+    append_row(corners_, row);
 }
 
-std::string packed_triangles(const Surface& surface) {
-    if (surface.points.size() > 65536) throw std::length_error("more points than 16 bits can number");
-    std::string bytes;
-    bytes.reserve(6 * surface.triangles.size());
-    for (const auto& t : surface.triangles)
-        for (const int corner : t) append16(bytes, static_cast<unsigned>(corner));
-    return base64(bytes);
-}
+std::string SurfacePack::block() const { return base64(deflated(places_ + corners_)); }
 
 }  // namespace tw

@@ -15,6 +15,8 @@ struct SweepMember {
     std::vector<std::string> methods;  ///< names of its sources
     std::vector<Quantity> quantities;  ///< of its comparison
     std::string discretisation_from;   ///< as its comparison says; empty: not estimated
+    std::string series;                ///< what it has in common with those that differ from it in speed alone
+    double speed = nan;                ///< [m/s]
 };
 
 /// How two methods stand to each other over a set of scenes, for one quantity:

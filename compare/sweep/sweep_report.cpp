@@ -11,6 +11,7 @@
 #include "compare/report/svg_plot.h"
 #include "compare/sweep/sweep.h"
 #include "methods/methods.h"
+#include "record/force_names.h"
 
 namespace tw {
 
@@ -39,6 +40,51 @@ std::string scatter_plot(const Sweep& sweep, const SweepSummary& s) {
     plot.lines.push_back({"equal", 1, {low, high}, {low, high}, false, true, false});
     plot.lines.push_back(std::move(dots));
     return "<figure>" + svg(plot) + "</figure>";
+}
+
+/// One quantity over the speed by every method, with its interval above and below; empty: fewer than two speeds.
+std::string curve_plot(const Sweep& sweep, const std::string& series, const std::string& quantity) {
+    std::vector<const SweepMember*> members;
+    for (const SweepMember& m : sweep.members)
+        if (m.why_not.empty() && m.series == series && std::isfinite(m.speed)) members.push_back(&m);
+    std::ranges::stable_sort(members, {}, &SweepMember::speed);
+    Plot plot;
+    plot.x_label = "speed [m/s]";
+    plot.width = 460, plot.height = 320;
+    std::size_t most = 0;
+    for (std::size_t s = 0; s < sweep.methods.size(); ++s) {
+        PlotLine line{method_label(sweep.methods[s]), s, {}, {}, false, false, true}, low{"", s, {}, {}, false, true},
+            high = low;
+        for (const SweepMember* m : members) {
+            const auto q = std::ranges::find(m->quantities, quantity, &Quantity::name);
+            if (q == m->quantities.end() || s >= q->values.size() || !q->values[s].known) continue;
+            plot.title = q->label + (series.empty() ? "" : ", " + series);
+            plot.y_label = lower_case_first(q->label) + (q->unit == "-" ? "" : " [" + q->unit + "]");
+            const MeanValue& v = q->values[s];
+            line.x.push_back(m->speed), line.y.push_back(v.value);
+            low.x.push_back(m->speed), low.y.push_back(v.value - v.bar());
+            high.x.push_back(m->speed), high.y.push_back(v.value + v.bar());
+        }
+        most = std::max(most, line.x.size());
+        for (PlotLine* l : {&low, &high, &line}) plot.lines.push_back(std::move(*l));
+    }
+    return most > 1 ? "<figure>" + svg(plot) + "</figure>" : "";
+}
+
+/// Resistance, attitude and wetted length over the speed, for every hull and trim that was run at several.
+std::string curves(const Sweep& sweep) {
+    std::vector<std::string> all;
+    for (const SweepMember& m : sweep.members)
+        if (std::ranges::find(all, m.series) == all.end()) all.push_back(m.series);
+    std::string plots;
+    for (const std::string& series : all)
+        for (const char* quantity : {"total_drag", "drag", "effective_power", "lift", "running_trim", "rise",
+                                     "transom_sinkage", "wetted_length"})
+            plots += curve_plot(sweep, series, quantity);
+    return plots.empty() ? plots
+                         : "<h2>Over the speed</h2><div class=\"pair\">" + plots +
+                               "</div><p class=\"note\">Broken lines: the 95 % intervals of the values, as far as they "
+                               "are known.</p>";
 }
 
 /// Bias and scatter between the methods, a row for each quantity.
@@ -140,7 +186,8 @@ std::string sweep_text(const Sweep& sweep) {
 std::string sweep_html(const Sweep& sweep) {
     const auto good = std::ranges::count_if(sweep.members, [](const SweepMember& m) { return m.why_not.empty(); });
     return page_begin(sweep.title) + "<h1>" + escaped(sweep.title) + "</h1><p class=\"sub\">" +
-           fmt::format("{} scenes, {} compared</p>", sweep.members.size(), good) + html_of(tables_of(sweep)) + page_end;
+           fmt::format("{} scenes, {} compared</p>", sweep.members.size(), good) + curves(sweep) +
+           html_of(tables_of(sweep)) + page_end;
 }
 
 std::string sweep_json(const Sweep& sweep) {

@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "statistics/student_t.h"
+#include "compare/report/numbers.h"
 #include "compare/uncertainty/triplet.h"
+#include "statistics/student_t.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -62,7 +63,9 @@ std::string why_running_away(std::span<const StudyLevel> levels, const EcaHoekst
     return t > t_95 ? eca.why_not : "";
 }
 
-void from_one_level(Estimate& e) { e.why_not = "one level shows no change; expected two or more"; }
+void from_one_level(Estimate& e) {
+    e.why_not = "one size alone says nothing of the discretisation error; it takes two or more";
+}
 
 void from_two_levels(Estimate& e) {
     e.celik_gci = two_level_gci(e.levels, e.p_th);
@@ -132,16 +135,21 @@ double disagreement(const Estimate& e) {
     return known > 1 ? high / low : nan;
 }
 
-/// "1.0511 ± 0.060 (5.7 %)": the value to the digits that its uncertainty supports.
+/// "1.0511 ± 0.060 (5.7 %)": the value to the digits that its uncertainty supports. Per cent of a value that is nothing
+/// beside its uncertainty say nothing.
 std::string value_with_uncertainty(double value, double U) {
-    const std::string share = value != 0 ? " (" + plain_number(100 * U / std::abs(value), 2) + " %)" : "";
-    if (!(U > 1e-9 * std::abs(value)))
-        return fmt::format("{} ± {}{}", plain_number(value, 6), plain_number(U, 2), share);
+    const std::string share = U <= std::abs(value) && value != 0
+                                  ? " (" + plain_number(100 * U / std::abs(value), 2) + " %)"
+                              : U > 0 ? " (more than the value)"
+                                      : "";
+    const auto in_digits = [&] { return fmt::format("{} ± {}{}", number_text(value, 6), plain_number(U, 2), share); };
+    if (!(U > 1e-9 * std::abs(value))) return in_digits();
     const int last_digit = static_cast<int>(std::floor(std::log10(U))) - 1;  // the second of U
     const double size = std::max(std::abs(value), U);
-    if (size >= 1e7 || size < 1e-3) return fmt::format("{} ± {}{}", plain_number(value, 6), plain_number(U, 2), share);
+    if (size >= 1e7 || size < 1e-3) return in_digits();
     const int places = std::clamp(-last_digit, 0, 9);
-    return fmt::format("{:.{}f} ± {:.{}f}{}", value, places, U, places, share);
+    if (std::abs(value) < 0.5 * std::pow(10.0, -places)) return fmt::format("0 ± {:.{}f}{}", U, places, share);
+    return fmt::format("{}{:.{}f} ± {:.{}f}{}", value < 0 ? "−" : "", std::abs(value), places, U, places, share);
 }
 
 /// Two digits, without a power of ten where there is a plain form.

@@ -15,6 +15,7 @@ std::string to_string(Verdict verdict) {
         case Verdict::agree: return "agree";
         case Verdict::differ: return "differ";
         case Verdict::undecided: return "undecided";
+        case Verdict::no_answer: return "no_answer_yet";
         case Verdict::not_converged: return "not_converged";
         case Verdict::not_estimated: return "discretisation error not estimated";
         case Verdict::not_comparable: break;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "compare/compare.h"
@@ -19,8 +20,13 @@ inline Verdict holds(double E, double U, double target, double S) {
 ///   |E| >  U                       differ
 ///   |E| <= U  and  U <= target S   agree
 ///   |E| <= U  and  U >  target S   undecided
+///
+/// An interval wider than widest_answer of the value (and than the target) is judged in no way: it is known too roughly
+/// to say whether a difference lies outside it.
+inline constexpr double widest_answer = 0.3;
 inline Verdict decide(double E, double U, double target, double S) {
     if (std::abs(E) + U <= target * S) return Verdict::agree;
+    if (U > std::max(target, widest_answer) * S) return Verdict::no_answer;
     return holds(E, U, target, S);
 }
 

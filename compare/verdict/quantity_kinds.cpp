@@ -24,10 +24,10 @@ std::vector<std::string> kinds_of(std::string quantity) {
 }
 
 int main_rank(const std::string& name) {
-    static constexpr std::string_view main[] = {"drag",           "total_drag",         "lift",        "trim_moment",
-                                                "body_depth",     "body_speed",         "body_peak",   "load_impulse_x",
-                                                "load_impulse_z", "load_peak_x",        "load_peak_z", "strain_peak",
-                                                "splash_raised",  "splash_sheet_height"};
+    static constexpr std::string_view main[] = {
+        "total_drag",  "drag",        "lift",          "trim_moment",        "running_trim",   "rise",
+        "body_depth",  "body_speed",  "body_peak",     "load_impulse_x",     "load_impulse_z", "load_peak_x",
+        "load_peak_z", "strain_peak", "splash_raised", "splash_sheet_height"};
     const auto* found = std::ranges::find(main, std::string_view(name).substr(0, name.find(':')));
     return found == std::end(main) ? -1 : static_cast<int>(found - std::begin(main));
 }

@@ -9,8 +9,8 @@ namespace tw {
 /// first that it knows counts. Empty: no plan speaks of it.
 std::vector<std::string> kinds_of(std::string quantity);
 
-/// Where a quantity stands among those that a first page speaks of, by its name; negative: it is not one of them. Drag,
-/// lift and trim moment of a hull; way, velocity, largest force and strains of a body that moves; impulse and largest
+/// Where a quantity stands among those that a first page speaks of, by its name; negative: it is not one of them. Total
+/// drag, drag, lift, trim moment and running attitude of a hull; way, velocity, largest force and strains of a body that moves; impulse and largest
 /// force on what stands in a tank; the splash sheet.
 int main_rank(const std::string& name);
 inline bool is_main_quantity(const std::string& name) { return main_rank(name) >= 0; }

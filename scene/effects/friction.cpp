@@ -30,9 +30,10 @@ EffectChoice plan_friction(const EffectQuestion& q) {
                                     "Re = {:.3g}: turbulent from {:g} on; C_F = {:.3g} (ITTC 1957) on what each "
                                     "method finds wet",
                                     n.reynolds, turbulent_from, ittc57(n.reynolds));
-    c.influence = can ? influence(fmt::format("about {} N{}", plain_number(R), c.on ? "" : ", left out"), "none",
-                                  "none", "added to the pressure drag of both methods alike; the flow does not feel it")
-                      : influence("none", "none", "none");
+    c.influence =
+        can ? influence(fmt::format("about {} N on what is wet at rest{}", plain_number(R), c.on ? "" : ", left out"),
+                        "none", "none", "added to the pressure drag of both methods alike; the flow does not feel it")
+            : influence("none", "none", "none");
     c.cost = 0;
     return c;
 }

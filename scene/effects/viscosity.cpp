@@ -78,10 +78,11 @@ EffectChoice plan_viscosity(const EffectQuestion& q) {
     }
     if (n.wetted_area > 0) {
         const double cf = std::isfinite(n.reynolds) ? ittc57(n.reynolds) : 0;
-        c.influence = influence(fmt::format("about {} N of friction (ITTC 1957, Cf = {:.3g}, wetted area {:.3g} m2){}",
-                                            plain_number(cf * n.head * n.wetted_area), cf, n.wetted_area,
-                                            c.on ? "" : ", left out by both methods"),
-                                "below 1 %", "below 1 %");
+        c.influence = influence(
+            fmt::format("about {} N of friction (ITTC 1957, Cf = {:.3g}, wetted area at rest {:.3g} m²){}",
+                        plain_number(cf * n.head * n.wetted_area), cf, n.wetted_area,
+                        c.on ? "" : ", not solved: what the effect friction adds is taken on what each run finds wet"),
+            "below 1 %", "below 1 %");
     } else {
         c.influence = influence(
             "wall friction", "none",

@@ -133,6 +133,7 @@ class LivePlot {
         })),
       ],
       cursor: {
+        ...(this.labels.x.startsWith('time') ? {sync: {key: 'time', setSeries: false}} : {}),  // one time in all of them
         y: false, drag: {x: true, y: false, dist: 5}, dataIdx: (u, series, at, x) => this.nearest(u, series, at, x),
         points: {size: (u, series) => (this.lines[series - 1].name ? 8 : 0)},
       },

@@ -6,8 +6,9 @@
 //   scale    low, high [m] and evenly spaced colours of the heights; pressure: the colours of the hull's, or null
 //   time     times of the slider's steps [s]
 //   sources  name, mirror (half model: draw the other side too), time of each surface, step -> number of its surface,
-//            points (base64 of three 16-bit numbers each, 0..65535 over the box) and triangles (16-bit point numbers)
-//   hulls    sources (numbers of those it belongs to), points, triangles; pressures: for each of its sources a byte per
+//            water: points and triangles (how many each surface has), steps (numbers of places over the box's edges) and
+//            block, as SurfacePack in view3d_mesh.h says
+//   hulls    sources (numbers of those it belongs to), surface (as water, of one surface); pressures: for each of its sources a byte per
 //            triangle in base64, 0..254 over the colours and 255 for dry, or null; of what moves also poses, for each of
 //            its sources one matrix per surface of that source, columns first
 import {
@@ -33,6 +34,30 @@ const bytesOf = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
 function colourAt(stops, share) {
   const last = stops.length - 1, t = MathUtils.clamp(share, 0, 1) * last, k = Math.min(Math.floor(t), last - 1);
   return stops[k].map((c, i) => MathUtils.lerp(c, stops[k + 1][i], t - k));
+}
+
+/** One list of points (three numbers each) and triangles (three point numbers each) for every surface of a block. */
+async function unpacked({points, triangles, steps, block}) {
+  if (!block) return [];
+  const stream = new Blob([bytesOf(block)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  let at = 0;
+  const row = count => {
+    const low = bytes.subarray(at, at + count), high = bytes.subarray(at + count, at + 2 * count);
+    let number = 0;
+    at += 2 * count;
+    return Uint16Array.from(low, (byte, i) => {
+      const folded = byte | high[i] << 8;
+      return number = (number + (folded >> 1 ^ -(folded & 1))) & 65535;
+    });
+  };
+  const surfaces = points.map(count => {
+    const axes = [row(count), row(count), row(count)], places = new Uint16Array(3 * count);
+    axes.forEach((axis, a) => axis.forEach((place, i) => { places[3 * i + a] = place; }));
+    return {points: places, steps};
+  });
+  surfaces.forEach((surface, k) => { surface.triangles = row(3 * triangles[k]); });
+  return surfaces;
 }
 
 class View3d {
@@ -95,21 +120,19 @@ class View3d {
     if (!this.geometries.has(key)) this.geometries.set(key, make());
     return this.geometries.get(key);
   }
-  makeGeometry(points, triangles) {
-    // 16-bit numbers, low byte first, as on every machine that has WebGL.
-    const numbers = base64 => new Uint16Array(bytesOf(base64).buffer);
+  makeGeometry({points, triangles, steps}) {
     const low = this.low.toArray(), edge = this.edge.toArray();
-    const at = Float32Array.from(numbers(points), (q, i) => low[i % 3] + q / 65535 * edge[i % 3]);
+    const at = Float32Array.from(points, (q, i) => low[i % 3] + q / steps * edge[i % 3]);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(at, 3));
-    geometry.setIndex(new BufferAttribute(numbers(triangles), 1));
+    geometry.setIndex(new BufferAttribute(triangles, 1));
     return geometry;
   }
   /** Water is smooth, and coloured by its height. */
   makeWater(source, k) {
-    const geometry = this.makeGeometry(source.points[k], source.triangles[k]), at = geometry.attributes.position.array;
+    const geometry = this.makeGeometry(source.surfaces[k]), at = geometry.attributes.position.array;
     geometry.computeVertexNormals();
-    const normals = geometry.attributes.normal.array, step = this.edge.y / 65535;
+    const normals = geometry.attributes.normal.array, step = this.edge.y / source.water.steps;
     for (let i = 1; source.mirror && i < at.length; i += 3)  // the halves meet on y = 0 without a gap or a crease
       if (Math.abs(at[i]) <= step) at[i] = normals[i] = 0;
     const {low, high, stops} = this.data.scale, colours = new Float32Array(at.length);
@@ -118,8 +141,7 @@ class View3d {
     return geometry;
   }
   hullGeometry(h) {
-    const {points, triangles} = this.data.hulls[h];
-    return this.geometry('hull ' + h, () => this.makeGeometry(points, triangles));
+    return this.geometry('hull ' + h, () => this.makeGeometry(this.data.hulls[h].surfaces[0]));
   }
   /** Every triangle of a hull with the one colour of its pressure. */
   makePressed(h, bytes) {
@@ -348,11 +370,14 @@ function showStage(shown) {
   element('stage').hidden = !shown;
 }
 
-function start() {
+async function start() {
   try {
     const context = element('canvas').getContext('webgl2', {antialias: true});
     if (!context) return showStage(false);
-    const view = new View3d(JSON.parse(element('data').textContent), context);
+    const data = JSON.parse(element('data').textContent);
+    for (const source of data.sources) source.surfaces = await unpacked(source.water);
+    for (const hull of data.hulls) hull.surfaces = await unpacked(hull.surface);
+    const view = new View3d(data, context);
     connect(view);
     view.setStep(view.shown.step);
   } catch (error) {

@@ -94,7 +94,7 @@ TEST(Gates, AirSmearedUnderAHullIsToldWithWhatItIsWorth) {
     RunRecord smeared = synthetic_run(fvm);
     const auto air = [](const RunRecord& r) {
         for (const Gate& g : check_gates(r, "fvm"))
-            if (g.name == "ventilation index") return g;
+            if (g.name == "air in the water at the hull") return g;
         return Gate{};
     };
     EXPECT_TRUE(air(smeared).pass);

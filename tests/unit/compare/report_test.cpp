@@ -4,9 +4,11 @@
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
-#include "compare/report/report_files.h"
 #include "compare/report/egl_window.h"
+#include "compare/report/next_steps.h"
 #include "compare/report/numbers.h"
+#include "compare/report/report_files.h"
+#include "compare/report/trust.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
 
@@ -147,6 +149,49 @@ TEST(Report, TerminalAndPagePrintTheSameFacts) {
             }
     }
     EXPECT_TRUE(c.find("pressure_mean:bow"));
+}
+
+TEST(Report, WhatCanBeTrustedBeginsWithAReferenceThatBothMethodsMiss) {
+    std::vector<RunRecord> records{synthetic_run({.lift = 3258}), synthetic_run({.method = "fvm", .lift = 3131})};
+    records[0].attributes["box_walls"] =
+        "the walls of the box (1.5 m to the side) are expected to raise the lift by 12 %; 3 m would leave 2 %";
+    const Comparison c = compare_records(records);
+    const std::vector<Doubt> doubts = doubts_of(c);
+    ASSERT_FALSE(doubts.empty());
+    EXPECT_TRUE(doubts.front().grave);
+    for (const char* part : {"Both methods lie outside Savitsky 1964: ", "lift 34 to 40 % above",
+                             "measured lifts lie 7 to 19 % above this formula", "raise the lift by 12 %",
+                             "at the wetted lengths that the runs find it gives 23"})
+        EXPECT_TRUE(has(doubts.front().text, part)) << part << ": " << doubts.front().text;
+    EXPECT_FALSE(has(doubts.front().text, "would leave 2 %"));
+    // A value whose interval holds the formula misses nothing.
+    for (const Doubt& d :
+         doubts_of(compare_records({synthetic_run({.lift = 2400}), synthetic_run({.method = "fvm", .lift = 3131})})))
+        EXPECT_FALSE(has(d.text, "Both methods lie outside Savitsky 1964: lift")) << d.text;
+}
+
+TEST(Report, WhatToDoNextKeepsTheStudysOwnSizeAndSaysItsTime) {
+    std::vector<RunRecord> records{synthetic_run({}), synthetic_run({.method = "fvm", .lift = 2600})};
+    for (RunRecord& r : records) {
+        r.attributes["command"] = "run\nprism.toml\n--budget\n4min\n--speed\n8 m/s";
+        r.numbers["size_scale"] = 1.54;
+        r.phases = {{"solving", 120, 200}};
+    }
+    Comparison c = compare_records(records);
+    const NextStep twins = next_steps(c).front();
+    EXPECT_TRUE(has(twins.what, "at this study's 40 mm")) << twins.what;
+    EXPECT_EQ(twins.command, "twinwake run prism.toml --scale 1.54 --speed '8 m/s'");
+    c.discretisation_from = "runs of 3 sizes";
+    for (Quantity& q : c.quantities) q.verdict = Verdict::agree;
+    for (Quantity& q : c.quantities)
+        if (q.name == "lift") q.verdict = Verdict::undecided, q.seconds_to_target = 24 * 60;
+    const std::vector<NextStep> steps = next_steps(c);
+    ASSERT_EQ(steps.size(), 2u);
+    EXPECT_TRUE(has(steps[0].what, "Refine from 40 mm to 28.3 mm at the hull, about 21 min of computing here"))
+        << steps[0].what;
+    EXPECT_TRUE(has(steps[0].command, "--scale 1.089 --speed '8 m/s' --out")) << steps[0].command;
+    EXPECT_TRUE(has(steps[1].what, "24 min of computing")) << steps[1].what;
+    EXPECT_TRUE(has(steps[1].command, "prism.toml --speed '8 m/s' --budget 24min --out")) << steps[1].command;
 }
 
 TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {

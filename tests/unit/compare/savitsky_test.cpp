@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/numbers.h"
@@ -66,6 +67,26 @@ TEST(SavitskyFormula, BalancesWeightAndMomentsOfTheWorkedExample) {
     const double normal = s.lift / std::cos(running.trim), lever = mass.vcg - state.beam / 4 * std::tan(state.deadrise);
     EXPECT_NEAR(normal * (s.pressure_centre - mass.lcg) / (s.friction_drag * lever), 1, 1e-3);
     EXPECT_FALSE(savitsky_free(state, {60000 * pound, 60 * foot, 2 * foot, true})) << "farther ahead than six beams";
+}
+
+// What the report says of the formula beside its +-10 %.
+TEST(SavitskyFormula, MeasuredLiftsLieAboveItByTheFactorsThatAreTold) {
+    double least = HUGE_VAL, most = 0;
+    for (const std::vector<double>& row : number_rows("planing_lift_measured.csv")) {
+        const PlaningState state{.beam = row[0], .deadrise = row[1] * degree, .trim = row[3] * degree, .speed = row[2]};
+        const Savitsky s = row[4] > 0 ? savitsky(state, row[4] / state.beam) : savitsky_at_draft(state, row[5]);
+        EXPECT_TRUE(s.in_range) << row[2];
+        least = std::min(least, row[6] / s.lift), most = std::max(most, row[6] / s.lift);
+    }
+    EXPECT_NEAR(least, measured_over_savitsky[0], 0.01);
+    EXPECT_NEAR(most, measured_over_savitsky[1], 0.01);
+}
+
+TEST(SavitskyFormula, AtTheKeelsOfTheDraftIsThatOfTheDraft) {
+    const PlaningState state{.beam = 1, .deadrise = 20 * degree, .trim = 5 * degree, .speed = 8};
+    EXPECT_DOUBLE_EQ(savitsky_at_keel(state, 0.2 / std::sin(state.trim)).lift, savitsky_at_draft(state, 0.2).lift);
+    EXPECT_NEAR(savitsky_at_keel(state, 2.48).lift, 2500, 15) << "interFoam's keel at beam/14";
+    EXPECT_GT(savitsky_at_keel(state, 2.48).lift, savitsky_at_keel(state, 2.36).lift);
 }
 
 TEST(PrismaticHull, DeadriseAndBeamAreReadOffTheSurface) {

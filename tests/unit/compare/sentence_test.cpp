@@ -2,6 +2,7 @@
 
 #include "compare/report/numbers.h"
 #include "compare/report/sentences.h"
+#include "compare/verdict/judge.h"
 
 namespace tw {
 namespace sentence_test {
@@ -22,9 +23,8 @@ TEST(Sentence, CanBeForwardedAsItIs) {
         "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown; 40 min of further runs "
         "would bring it to ±5.0 %.");
     s.seconds_to_target = 110 * 86400.0;  // of a row that is nowhere near it
-    EXPECT_EQ(sentence_of(s),
-              "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown; further runs of "
-              "30 days would not bring it to ±5.0 %.");
+    EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown.")
+        << "nobody waits for that";
     s.seconds_to_target = nan;  // not known: nothing is promised
     EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±9.0 %: no difference shown.");
     s.verdict = Verdict::differ, s.interval = s.discretisation = 0.02 * 3050;
@@ -35,6 +35,28 @@ TEST(Sentence, CanBeForwardedAsItIs) {
     s.values = {3100, 3000}, s.size = 3050;
     s.verdict = Verdict::agree, s.interval = s.discretisation = 0.04 * 3050;
     EXPECT_EQ(sentence_of(s), "Lift: SPH 3.3 % above interFoam, discretisation error ±4.0 %: they agree within 5.0 %.");
+}
+
+// Beside a headline that has the quantity and the verdict.
+TEST(Sentence, AsAFindingItRepeatsNeitherQuantityNorVerdict) {
+    Statement s = lift();
+    s.seconds_to_target = 2400;
+    EXPECT_EQ(
+        finding_of(s),
+        "SPH 3.3 % above interFoam, discretisation error ±9.0 %; 40 min of further runs would bring it to ±5.0 %.");
+    s.verdict = Verdict::agree, s.interval = s.discretisation = 0.04 * 3050;
+    EXPECT_EQ(finding_of(s), "SPH 3.3 % above interFoam, discretisation error ±4.0 %.");
+    s.verdict = Verdict::not_converged, s.interval = nan, s.why = "SPH: the changes do not die out";
+    EXPECT_EQ(finding_of(s), "SPH 3.3 % above interFoam, without an interval; SPH: the changes do not die out.");
+}
+
+TEST(Sentence, OfAnIntervalBeyondThirtyPerCentThereIsNoAnswerYet) {
+    Statement s = lift();
+    s.values = {4000, 2000}, s.size = 3000, s.interval = s.discretisation = 0.93 * 3000;
+    s.verdict = decide(-2000, s.interval, s.target, s.size);
+    EXPECT_EQ(sentence_of(s), "Lift: SPH 67 % above interFoam, discretisation error ±93 %: no answer yet.");
+    s.methods = {"sph"}, s.values = {3000};
+    EXPECT_EQ(sentence_of(s), "Lift: no answer yet: 3000 ± 2790 N by SPH, discretisation error ±93 %.");
 }
 
 TEST(Sentence, NamesTheSharesWhereTheResolutionIsNotAll) {

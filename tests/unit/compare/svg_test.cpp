@@ -11,6 +11,7 @@
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "compare/report/plot_data.h"
+#include "compare/report/strip.h"
 #include "compare/report/svg_plot.h"
 
 namespace tw {
@@ -36,7 +37,7 @@ TEST(SvgPlot, DrawsEachLineInItsSourcesColourAndABreakAtNotANumber) {
 }
 
 TEST(SvgPlot, NothingToDrawIsSaid) {
-    EXPECT_NE(svg({.title = "empty"}).find("no data"), std::string::npos);
+    EXPECT_NE(svg(Plot{.title = "empty"}).find("no data"), std::string::npos);
     Plot p{.title = "t"};
     p.lines.push_back({"a", 0, {0, 1}, {std::nan(""), std::nan("")}, false, false});
     EXPECT_NE(svg(p).find("no data"), std::string::npos);
@@ -73,9 +74,9 @@ TEST(SvgPlot, AStartUpSpikeDoesNotFlattenTheRest) {
     PlotLine l{"a", 0, {}, {}, false, false};
     for (int i = 0; i < 1000; ++i) l.x.push_back(i), l.y.push_back(i == 0 ? 1e6 : 100 + i % 7);
     p.lines.push_back(l);
-    EXPECT_EQ(svg(p).find("1e+06"), std::string::npos);
+    EXPECT_EQ(svg(p).find("1000000"), std::string::npos);
     p.clip_spikes = false;
-    EXPECT_NE(svg(p).find("1e+06"), std::string::npos);
+    EXPECT_NE(svg(p).find("1000000"), std::string::npos);
 }
 
 TEST(SvgPlot, LongSeriesAreThinnedWithoutLosingTheirExtremes) {
@@ -180,6 +181,51 @@ TEST(Numbers, ShowTheDigitsTheirIntervalSupports) {
     EXPECT_EQ(signed_text(-82.3, 19), "−82 ± 19");
     EXPECT_EQ(per_cent_text(-3.02), "−3.0 %");
     EXPECT_EQ(value_text(std::nan(""), 1), "–");
+}
+
+TEST(Numbers, AreWrittenAsPeopleWriteThem) {
+    EXPECT_EQ(number_text(359.90309865758275), "360");
+    EXPECT_EQ(number_text(0.0625082), "0.0625");
+    EXPECT_EQ(number_text(5.47e-5), "0.0000547");
+    EXPECT_EQ(number_text(-1160.9, 5), "−1160.9");
+    EXPECT_EQ(unit_text("m2"), "m²");
+    EXPECT_EQ(unit_text("kg/m3"), "kg/m³");
+    EXPECT_EQ(unit_text("m2/s"), "m²/s");
+    EXPECT_EQ(unit_text("N m"), "N m");
+    EXPECT_EQ(unit_text("-"), "-");
+    EXPECT_EQ(unit_text("H2O"), "H2O");
+    EXPECT_EQ(label_text("pressure at P2 [N/m2]"), "pressure at P2 [N/m²]");
+    EXPECT_EQ(label_text("P2"), "P2");
+}
+
+TEST(Ticks, HaveNoPowersOfTenAndARealMinus) {
+    EXPECT_EQ(tick_text(-1300, 100), "−1300");
+    EXPECT_EQ(tick_text(-1e-15, 0.1), "0.0");
+    EXPECT_EQ(tick_text(2e6, 1e6), "2000000");
+    Plot p{.lines = {{"a", 0, {10, 1000, 20000}, {1, 100, 50000}, false, false}}, .log_x = true, .log_y = true};
+    const std::string drawn = svg(p);
+    EXPECT_EQ(drawn.find("e+0"), std::string::npos) << drawn;
+    EXPECT_NE(drawn.find(">1000<"), std::string::npos);
+}
+
+TEST(Strip, DrawsTheDifferenceAboutZeroAndEveryIntervalWhole) {
+    Strip strip{"Lift", {{"SPH", "100 ± 160 N", 0, 100, 160}, {"interFoam", "110 ± 5 N", 1, 110, 5}}};
+    EXPECT_EQ(svg(strip).find("difference"), std::string::npos);
+    const std::string without = svg(strip);
+    const auto place = [](const std::string& drawn, const std::string& of, const char* what) {
+        const auto line = drawn.find(of);
+        const auto at = drawn.find(what, line);
+        return std::stod(drawn.substr(at + std::strlen(what)));
+    };
+    EXPECT_GT(place(without, "class=\"bar s0\"", "x1=\""), 83) << "it does not end where the axis does";
+    EXPECT_LT(place(without, "class=\"bar s0\"", "x2=\""), 449);
+    strip.difference = Strip::Difference{"+9.5 ± 4 %", 10, 4.2, 5.2};
+    const std::string with = svg(strip);
+    EXPECT_NE(with.find("+9.5 ± 4 %"), std::string::npos);
+    const double zero = place(with, "class=\"level\"", "x1=\""), low = place(with, "class=\"bar apart\"", "x1=\""),
+                 band = place(with, "class=\"reference-band\"", "x=\"");
+    EXPECT_GT(low, zero) << "an interval that does not hold 0 does not cross it";
+    EXPECT_LT(band, zero);
 }
 
 TEST(Colours, EndsAndMiddle) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,6 +84,25 @@ TEST(Sweep, ValuesWithoutALogarithmAreLeftOutAndCounted) {
     EXPECT_EQ(s.summaries[0].points.size(), 1u);
     EXPECT_EQ(s.summaries[0].left_out, 2u);
     EXPECT_NEAR(build_sweep("set", {member("both", -3, -6)}).summaries[0].bias, std::log(2), 1e-12);
+}
+
+TEST(Sweep, OfSeveralSpeedsEveryHullHasItsCurves) {
+    const auto at = [](double speed, const std::string& series) {
+        SweepMember m = member(fmt::format("{} m/s", speed), 100 * speed, 110 * speed);
+        m.speed = speed, m.series = series;
+        return m;
+    };
+    const auto page = [](std::vector<SweepMember> members) {
+        return sweep_html(build_sweep("set", std::move(members)));
+    };
+    EXPECT_EQ(page({at(4, "slow")}).find("Over the speed"), std::string::npos) << "one speed is no curve";
+    EXPECT_EQ(page({at(4, "a"), at(5, "b")}).find("Over the speed"), std::string::npos) << "two hulls are no curve";
+    const std::string two = page({at(6, "a"), at(4, "a"), at(5, "a"), at(4, "b"), at(5, "b")});
+    const auto curves = two.find("Over the speed");
+    ASSERT_NE(curves, std::string::npos);
+    EXPECT_NE(two.find("Lift, a", curves), std::string::npos);
+    EXPECT_NE(two.find("Lift, b", curves), std::string::npos);
+    EXPECT_NE(two.find("data-x=\"speed [m/s]\"", curves), std::string::npos);
 }
 
 TEST(Sweep, AllFailedIsStillAReport) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/compare.h"
+#include "compare/verdict/quantity_kinds.h"
 #include "synthetic_pair.h"
 
 namespace tw {
@@ -29,6 +30,24 @@ TEST(TotalDrag, IsDragAndTheLineOfEachMethod) {
     EXPECT_FALSE(line->judged);
     // 200 N over 1000 kg/m3 (8 m/s)^2 / 2 2.5 m2
     EXPECT_NE(total->remark.find("C_F 0.0025"), std::string::npos) << total->remark;
+}
+
+TEST(TotalDrag, HasAnEffectivePowerAndACoefficientAndComesFirst) {
+    const Comparison c = compare_records({with_line("sph", 200), with_line("fvm", 240)});
+    const Quantity *total = c.find("total_drag"), *power = c.find("effective_power"),
+                   *coefficient = c.find("resistance_coefficient");
+    ASSERT_TRUE(total && power && coefficient);
+    for (std::size_t s = 0; s < 2; ++s) {
+        EXPECT_NEAR(power->values[s].value, total->values[s].value * 8, 1e-6);
+        EXPECT_NEAR(coefficient->values[s].value, total->values[s].value / (0.5 * 1000 * 64 * 2.5), 1e-9);
+        EXPECT_NEAR(coefficient->values[s].half_width / coefficient->values[s].value,
+                    total->values[s].half_width / total->values[s].value, 1e-9);
+    }
+    EXPECT_FALSE(power->judged || coefficient->judged) << "the drag is";
+    EXPECT_EQ(main_quantities(c.quantities).front()->name, "total_drag");
+    EXPECT_EQ(c.find("drag")->label, "Pressure drag");
+    EXPECT_EQ(compare_records({synthetic_run({.method = "sph"})}).find("effective_power"), nullptr)
+        << "pressure alone is no resistance";
 }
 
 TEST(TotalDrag, OfAMethodThatSolvesFrictionHasNoLineOnTop) {

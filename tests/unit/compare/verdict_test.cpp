@@ -57,6 +57,12 @@ TEST(Verdict, TheRuleOfALadder) {
     EXPECT_EQ(decide(-3, 2.5, 0.05, 100), Verdict::differ);
     EXPECT_EQ(decide(5, 12, 0.05, 100), Verdict::undecided);
     EXPECT_EQ(decide(0, 0, 0.05, 100), Verdict::agree);
+    // An interval that wide is known too roughly to judge by, whatever lies outside it; one that was asked for is not.
+    EXPECT_EQ(decide(5, 29.9, 0.05, 100), Verdict::undecided);
+    EXPECT_EQ(decide(5, 30.1, 0.05, 100), Verdict::no_answer);
+    EXPECT_EQ(decide(80, 40, 0.05, 100), Verdict::no_answer);
+    EXPECT_EQ(decide(80, 29, 0.05, 100), Verdict::differ);
+    EXPECT_EQ(decide(5, 38, 0.4, 100), Verdict::agree);
     // A difference that is shown, and shown to be within the target.
     EXPECT_EQ(decide(-0.5, 0.3, 0.05, 100), Verdict::agree);
     EXPECT_EQ(decide(4.8, 0.3, 0.05, 100), Verdict::differ);
@@ -115,6 +121,7 @@ TEST(Verdict, NamesForProgramsStay) {
     EXPECT_EQ(to_string(Verdict::agree), "agree");
     EXPECT_EQ(to_string(Verdict::differ), "differ");
     EXPECT_EQ(to_string(Verdict::undecided), "undecided");
+    EXPECT_EQ(to_string(Verdict::no_answer), "no_answer_yet");
     EXPECT_EQ(to_string(Verdict::not_comparable), "not_comparable");
     EXPECT_EQ(to_string(Verdict::not_converged), "not_converged");
     EXPECT_EQ(to_string(Verdict::not_estimated), "discretisation error not estimated");

@@ -61,7 +61,9 @@ TEST(ThinJet, OfAFlatBottomFollowsFromLengthAndTrim) {
 TEST(ThinJet, CheckSaysBeforeTheRunWhetherItIsResolved) {
     const Scene scene = scene_of(planing);  // near_hull = 0.05 m
     const std::string coarse = to_text(scene, predict(scene));
-    EXPECT_NE(coarse.find("not resolved: jet of 0.21 spacings, near_hull = 0.0035 m would do"), std::string::npos)
+    EXPECT_NE(coarse.find("not resolved: the jet is 0.21 of a particle or cell thick, and three across it are needed "
+                          "(near_hull = 0.0035 m)"),
+              std::string::npos)
         << coarse;
     const Scene fine = scene_of(planing + "[[refine]]\naround = \"spray_root\"\nspacing = \"0.0125 m\"\n");
     EXPECT_DOUBLE_EQ(thin_jet(fine)->size, 0.0125);
@@ -95,7 +97,9 @@ TEST(ThinJet, OfAFlatSectionIsTheChannels) {
     EXPECT_NEAR(thickness(in_channel(thick)), 0.2645, 1e-4);
     EXPECT_NEAR(thickness(in_channel(thin)), 0.0786, 1e-4);
     const Scene scene = scene_of(with(in_channel(thin), "near_hull = 0.02", "near_hull = 0.05"));
-    EXPECT_NE(to_text(scene, predict(scene)).find("not resolved: jet of 1.6 spacings, near_hull = 0.026 m would do"),
+    EXPECT_NE(to_text(scene, predict(scene))
+                  .find("not resolved: the jet is 1.6 of a particle or cell thick, and three across it are needed "
+                        "(near_hull = 0.026 m)"),
               std::string::npos)
         << to_text(scene, predict(scene));
 }
