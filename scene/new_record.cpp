@@ -31,7 +31,6 @@ Vec3 moment_reference(const Scene& scene) {
 void note_prediction(RunRecord& record, const RunOptions& options) {
     if (!options.command.empty()) record.attributes["command"] = options.command;
     if (!(options.predicted_seconds > 0)) return;
-    record.numbers["size_scale"] = scene.resolution.scale;  // of --scale or --budget: how many times the scene's sizes
     record.numbers["predicted_seconds"] = options.predicted_seconds;
     record.numbers["predicted_elements"] = options.predicted_elements;
     record.numbers["predicted_memory"] = options.predicted_bytes;
@@ -147,6 +146,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers[fmt::format("cut_y_{}", k)] = scene.sampling.cuts_y[k];
     if (scene.effect_on("surface_tension"))
         record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
+    record.numbers["size_scale"] = scene.resolution.scale;  // of --scale or --budget: how many times the scene's sizes
     if (method == "sph") {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;
