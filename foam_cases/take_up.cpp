@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "scene/run_end.h"
+
 namespace tw {
 
 void take_up(RunRecord earlier, RunRecord& record) {
@@ -19,6 +21,7 @@ void take_up(RunRecord earlier, RunRecord& record) {
     }
     if (const auto started = earlier.attributes.find("started"); started != earlier.attributes.end())
         record.attributes["started"] = started->second;
+    forget_end(earlier);
     record.attributes.merge(earlier.attributes);  // what both have is the new one's
     record.numbers.merge(earlier.numbers);
     record.attributes["restarts"] = std::to_string(std::atoi(record.attributes["restarts"].c_str()) + 1);

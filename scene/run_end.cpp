@@ -29,6 +29,11 @@ std::string note_end(const Scene& scene, RunRecord& record, std::optional<double
                        loads);
 }
 
+void forget_end(RunRecord& record) {
+    record.attributes.erase(ended_by);
+    record.numbers.erase(bound_number);
+}
+
 bool is_complete(const Scene& scene, const RunRecord& record) {
     if (record.state != "finished") return false;
     if (number_of(record, "duration", 0) >= scene.run.duration) return true;

@@ -16,6 +16,9 @@ bool may_end(const Scene& scene, const RunRecord& record);
 /// [s], which then is its duration, or at its bound without. Nothing where the scene is run to its duration.
 std::string note_end(const Scene& scene, RunRecord& record, std::optional<double> settled);
 
+/// Takes that back in a record that is gone on with.
+void forget_end(RunRecord& record);
+
 /// Whether a run of this record (same run hash) has nothing left to do in this scene: it is finished, and as long as the
 /// scene's duration, or ended because its loads had settled where the scene asks for no more.
 bool is_complete(const Scene& scene, const RunRecord& record);
