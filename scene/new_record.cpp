@@ -126,7 +126,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];
         record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
     }
-    if (scene.domain.undamped.min.x() != scene.domain.box.min.x())
+    if (scene.effect_on("forcing_zones") && scene.motion.kind == Motion::Kind::stream)
         record.numbers["undamped_x_min"] = scene.domain.undamped.min.x();
     const auto add_filter = [&](const std::string& table, const std::string& name, double filter) {
         if (filter > 0) record.numbers[peak_filter(table, name)] = filter;
