@@ -1,6 +1,6 @@
-// Forcing zones: a source of momentum for interFoam of openfoam.com (an fvOption) and openfoam.org 12 and 13 (an fvModel
-// of incompressibleVoF) that draws the flow to the undisturbed stream and so absorbs waves before they meet an end of
-// the domain. A library of its own; tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
+// Forcing zones: a source of momentum for interFoam of openfoam.com (an fvOption) and openfoam.org 12 and 13 (an
+// fvModel of incompressibleVoF) that draws the flow to the undisturbed stream and so absorbs waves before they meet an
+// end of the domain. A library of its own; tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
 // tools/build_openfoam_walls.sh for the one whose environment is loaded. Theory: docs/theory.md, "Forcing zones";
 // measurements: docs/decisions/083-forcing-zones-in-interfoam.md.
 //
@@ -35,8 +35,8 @@ using Source = fvModel;
 ///
 ///   du/dt += gamma s^2 (u_ref - u)         gamma: the zone's strength
 ///
-/// (Peric & Abdel-Maksoud 2018, doi:10.1016/j.oceaneng.2017.10.035), as a force rho gamma s^2 (u_ref - u), implicit in
-/// u: no step is too long for it. Where zones overlap the strongest holds.
+/// (Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, arXiv:1705.06940), as a force rho gamma s^2 (u_ref - u), implicit
+/// in u: no step is too long for it. Where zones overlap the strongest holds.
 class forcingZones : public Source {
     struct Zone {
         label axis;
