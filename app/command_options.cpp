@@ -9,6 +9,7 @@
 #include "app/solvers.h"
 #include "app/submit.h"
 #include "scene/effects/registry.h"
+#include "suite/suite.h"
 
 namespace tw::app {
 namespace {
@@ -236,6 +237,35 @@ void ablate_options(CLI::App& c, AblateCommand& ablate) {
     add_rerun(c, ablate.overwrite);
     c.add_option("--out", ablate.out, "folder of the results (runs/<name of the scene file>_ablation)");
     add_threads(c, ablate.threads);
+}
+
+void validate_options(CLI::App& c, ValidateCommand& validate) {
+    c.add_option("suite", validate.suite,
+                 "folder of a suite; or validation.json of an earlier report, of which the "
+                 "files and pages are made anew, without a run");
+    c.add_option("--tier", validate.tier,
+                 fmt::format("the dearest cases that are run ({}): {}; those before it are too", suite_tiers().front(),
+                             fmt::join(suite_tiers(), ", ")))
+        ->check(CLI::IsMember(suite_tiers()));
+    c.add_option("--case", validate.cases, "only the case of this name; can be given again")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    c.add_option("--method", validate.method,
+                 fmt::format("{}: only these of a case's methods", fmt::join(method_choices(), ", ")))
+        ->check(CLI::IsMember(method_choices()));
+    c.add_option("--against", validate.against,
+                 "validation.json of an earlier report: what became worse or better, by name");
+    c.add_option("--require", validate.require,
+                 "exit status 4 unless: goals, every value meets its goal or is a known miss; no-worse, none is worse "
+                 "than in --against")
+        ->check(CLI::IsMember({"goals", "no-worse"}));
+    c.add_option("--pages", validate.pages, "folder for Markdown pages made from the report: README.md and one a case");
+    c.add_flag("--formulas", validate.formulas, "list the formulas that a truth may name, and run nothing");
+    add_rerun(c, validate.overwrite);
+    c.add_option(
+        "--out", validate.out,
+        "folder of the results (runs/<name of the suite>_validation): validation.html, .json, .csv, junit.xml");
+    add_threads(c, validate.threads);
 }
 
 void member_options(CLI::App& c, MemberCommand& member) {

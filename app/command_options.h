@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/completion.h"
 #include "app/submit.h"
+#include "app/validate.h"
 
 namespace tw::app {
 
@@ -14,6 +15,7 @@ void compare_options(CLI::App& c, CompareCommand& compare);
 void ladder_options(CLI::App& c, LadderCommand& ladder);
 void sweep_options(CLI::App& c, SweepCommand& sweep);
 void ablate_options(CLI::App& c, AblateCommand& ablate);
+void validate_options(CLI::App& c, ValidateCommand& validate);
 void member_options(CLI::App& c, MemberCommand& member);
 void study_options(CLI::App& c, StudyCommand& study);
 void import_options(CLI::App& c, ImportCommand& imported);

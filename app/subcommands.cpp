@@ -11,6 +11,7 @@
 #include "app/submit.h"
 #include "scene/effects/registry.h"
 #include "spray/read_study.h"
+#include "suite/suite.h"
 
 namespace tw::app {
 namespace {
@@ -85,6 +86,7 @@ std::vector<Subcommand> subcommands() {
         submit_row("ladder", "a scene at several sizes", ladder_options, run_ladder),
         submit_row("sweep", "a scene with every hull, speed and trim of lists", sweep_options, run_sweep),
         submit_row("ablate", "effects switched one at a time", ablate_options, run_ablate),
+        submit_row("validate", "a suite of cases with known truths", validate_options, run_validate),
     };
     return {
         without_json(row("new", "write a scene file to start from", new_options, run_new)),
@@ -108,6 +110,9 @@ std::vector<Subcommand> subcommands() {
         with_about(row("ablate", "effects switched one at a time: what each changes, and what it costs",
                        here<AblateCommand, ablate_options>, run_ablate),
                    about_ablate + effects_text() + "\n"),
+        with_about(row("validate", "a suite of cases with known truths: both methods judged, and what became worse",
+                       here<ValidateCommand, validate_options>, run_validate),
+                   suite_help),
         submit,
         row("status", "how far the runs of a study with several processes or jobs are", study_options, run_status),
         without_json(row("cancel", "take the jobs of a study out of Slurm's queue; what is finished is kept",

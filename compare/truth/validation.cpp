@@ -1,0 +1,176 @@
+#include "compare/truth/validation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "compare/report/numbers.h"
+#include "methods/methods.h"
+
+namespace tw {
+namespace {
+
+struct OutcomeName {
+    Outcome outcome;
+    const char *name, *label;
+};
+constexpr std::array outcome_names{OutcomeName{Outcome::met, "met", "met"},
+                                   OutcomeName{Outcome::near, "near", "within the goal, outside its interval"},
+                                   OutcomeName{Outcome::undecided, "undecided", "undecided"},
+                                   OutcomeName{Outcome::not_converged, "not_converged", "not converged"},
+                                   OutcomeName{Outcome::missed, "missed", "missed"},
+                                   OutcomeName{Outcome::failed, "failed", "no value"},
+                                   OutcomeName{Outcome::not_run, "not_run", "not run"}};
+
+const OutcomeName& row_of(Outcome outcome) { return *std::ranges::find(outcome_names, outcome, &OutcomeName::outcome); }
+
+double median(std::vector<double> all) {
+    if (all.empty()) return nan;
+    std::ranges::sort(all);
+    return (all[(all.size() - 1) / 2] + all[all.size() / 2]) / 2;
+}
+
+/// Whether the outer interval holds the truth; the inner one counts where nothing left out has a bound.
+bool outer_holds(const ValidatedValue& v, const Truth& truth) {
+    const double side = v.E > 0 ? v.outer_below : v.outer_above;  // E > 0: the truth lies below the value
+    if (!std::isfinite(side)) return v.holds();
+    return std::abs(v.E) <= std::hypot(side, v.input, truth.half_width);
+}
+
+void count(FamilySummary& sum, std::vector<double>& errors, const ValidatedQuantity& q, const ValidatedValue& v) {
+    if (!std::isfinite(v.value)) return;
+    if (q.scale > 0) errors.push_back(100 * std::abs(v.E) / q.scale);
+    sum.met += v.outcome == Outcome::met;
+    sum.fall_short += falls_short(v, q);
+    if (!std::isfinite(v.U_val)) {
+        ++sum.without_interval;
+        return;
+    }
+    ++sum.values;
+    sum.inner += v.holds();
+    sum.outer += outer_holds(v, q.truth);
+    const bool narrow = v.U_num < narrow_share * std::abs(v.value);
+    sum.narrow += narrow;
+    sum.narrow_inner += narrow && v.holds();
+}
+
+FamilySummary summary_of(const ValidationReport& report, const std::string& family, const std::string& method) {
+    FamilySummary sum{.family = family, .method = method};
+    std::vector<double> errors;
+    for (const ValidatedCase& c : report.cases) {
+        if (!family.empty() && c.family != family) continue;
+        for (const CaseCost& cost : c.costs)
+            if (cost.method == method) sum.core_seconds += cost.core_seconds;
+        for (const ValidatedQuantity& q : c.quantities)
+            for (const ValidatedValue& v : q.values)
+                if (v.method == method) count(sum, errors, q, v);
+    }
+    sum.median_error = median(std::move(errors));
+    return sum;
+}
+
+/// Every value of a report by its name.
+struct Named {
+    const ValidatedQuantity* quantity = nullptr;
+    const ValidatedValue* value = nullptr;
+};
+using NameOfValue = std::array<std::string, 3>;
+std::map<NameOfValue, Named> values_of(const ValidationReport& report) {
+    std::map<NameOfValue, Named> all;
+    for (const ValidatedCase& c : report.cases)
+        for (const ValidatedQuantity& q : c.quantities)
+            for (const ValidatedValue& v : q.values)
+                if (std::isfinite(v.value)) all[{c.name, q.name, v.method}] = {&q, &v};
+    return all;
+}
+
+std::string in_short(const Named& n) {
+    const ValidatedValue& v = *n.value;
+    return fmt::format(
+        "{} {} ({}; {})", value_text(v.value, v.U_num), n.quantity->unit,
+        n.quantity->scale > 0 ? per_cent_text(100 * v.E / n.quantity->scale) : "E = " + value_text(v.E, v.U_val),
+        outcome_label(v.outcome));
+}
+
+}  // namespace
+
+std::string to_string(Outcome outcome) { return row_of(outcome).name; }
+std::string outcome_label(Outcome outcome) { return row_of(outcome).label; }
+Outcome outcome_of(const std::string& name) {
+    for (const OutcomeName& row : outcome_names)
+        if (row.name == name) return row.outcome;
+    throw std::out_of_range("no outcome is called " + name);
+}
+
+void judge_against(ValidatedValue& v, const ValidatedQuantity& q) {
+    if (!std::isfinite(v.value)) {
+        if (v.outcome != Outcome::not_run) v.outcome = Outcome::failed;
+        return;
+    }
+    v.E = v.value - q.truth.value;
+    v.U_num = std::hypot(v.statistical, v.discretisation, v.choices);
+    v.U_val = std::hypot(v.U_num, v.input, q.truth.half_width);
+    if (!std::isfinite(v.statistical) || !std::isfinite(v.discretisation) || !std::isfinite(v.choices))
+        v.U_num = v.U_val = nan;  // hypot of an infinite and an unknown one is infinite
+    const double off = std::abs(v.E);
+    if (!std::isfinite(v.U_val))
+        v.outcome = Outcome::not_converged;
+    else if (off <= v.U_val)
+        v.outcome = v.U_val <= q.goal ? Outcome::met : Outcome::undecided;
+    else
+        v.outcome = off <= q.goal ? Outcome::near : Outcome::missed;
+}
+
+bool falls_short(const ValidatedValue& v, const ValidatedQuantity& q) {
+    return v.outcome == Outcome::missed || (v.outcome == Outcome::not_converged && !(std::abs(v.E) <= q.goal));
+}
+
+std::vector<FamilySummary> summaries_of(const ValidationReport& report) {
+    std::vector<std::string> families{""}, methods;
+    for (const ValidatedCase& c : report.cases) {
+        if (std::ranges::find(families, c.family) == families.end()) families.push_back(c.family);
+        for (const ValidatedQuantity& q : c.quantities)
+            for (const ValidatedValue& v : q.values)
+                if (std::ranges::find(methods, v.method) == methods.end()) methods.push_back(v.method);
+    }
+    std::ranges::sort(methods, {}, [](const std::string& m) { return std::pair(method_rank(m), m); });
+    std::vector<FamilySummary> all;
+    for (const std::string& family : families)
+        for (const std::string& method : methods)
+            if (FamilySummary s = summary_of(report, family, method);
+                s.values + s.without_interval > 0 || s.core_seconds > 0)
+                all.push_back(std::move(s));
+    return all;
+}
+
+std::vector<ValidationChange> changes_between(const ValidationReport& earlier, const ValidationReport& now) {
+    using Kind = ValidationChange::Kind;
+    const std::map<NameOfValue, Named> before = values_of(earlier), after = values_of(now);
+    std::vector<ValidationChange> changes;
+    const auto add = [&](Kind kind, const NameOfValue& name, const Named& of, std::string was, std::string is) {
+        changes.push_back(
+            {kind, name[0] + ", " + of.quantity->label + ", " + method_label(name[2]), std::move(was), std::move(is)});
+    };
+    for (const auto& [name, old] : before) {
+        const auto found = after.find(name);
+        if (found == after.end()) {
+            add(Kind::gone, name, old, in_short(old), "–");
+            continue;
+        }
+        const Named& is = found->second;
+        const double grown = std::abs(is.value->E) - std::abs(old.value->E), much = is.quantity->goal / 4;
+        if (is.value->outcome > old.value->outcome || grown > much)
+            add(Kind::worse, name, is, in_short(old), in_short(is));
+        else if (is.value->outcome < old.value->outcome || grown < -much)
+            add(Kind::better, name, is, in_short(old), in_short(is));
+    }
+    for (const auto& [name, is] : after)
+        if (!before.contains(name)) add(Kind::new_value, name, is, "–", in_short(is));
+    std::ranges::stable_sort(changes, {}, &ValidationChange::kind);
+    return changes;
+}
+
+}  // namespace tw

@@ -1,0 +1,116 @@
+#pragma once
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/numbers.h"
+
+namespace tw {
+
+/// What is true of a quantity, as far as it is known.
+struct Truth {
+    double value = nan, half_width = 0;  ///< of its 95 % interval [unit]
+    std::string standing;                ///< exact, measured, digitised, derived
+    std::string source;                  ///< where it is from, in words
+};
+
+/// What became of one method's value against the truth (the rule stands at judge_against).
+enum class Outcome { met, near, undecided, not_converged, missed, failed, not_run };
+std::string to_string(Outcome outcome);       ///< "met", "near", "undecided", "not_converged", ...
+std::string outcome_label(Outcome outcome);   ///< "met", "within the goal", "undecided", ...
+Outcome outcome_of(const std::string& name);  ///< throws std::out_of_range
+
+/// One method's value of one quantity. Half widths are of 95 % intervals [unit].
+struct ValidatedValue {
+    std::string method;
+    double value = nan;
+    double statistical = nan, discretisation = nan, choices = nan;  ///< parts of U_num: scatter of the mean, sizes, box
+    double input = 0;                                               ///< what is not known of the scene
+    double outer_below = nan, outer_above = nan;   ///< U_num with what the run leaves out; nan: nothing has a bound
+    double order = nan;                            ///< observed [-]; nan: none
+    std::string convergence;                       ///< monotone, scattered, ...
+    std::vector<std::pair<double, double>> sizes;  ///< spacing at the hull [m] and value, finest first
+    std::string why_not;                           ///< why there is no value, or no interval
+
+    // what judge_against makes of them
+    double E = nan, U_num = nan, U_val = nan;
+    Outcome outcome = Outcome::not_run;
+
+    bool holds() const { return E <= U_val && -E <= U_val; }
+};
+
+struct ValidatedQuantity {
+    std::string name, label, unit;
+    Truth truth;
+    double goal = nan;                              ///< |E| that is aimed at [unit]
+    double scale = nan;                             ///< what per cent refer to: |truth|, or what the suite says [unit]
+    std::map<std::string, std::string> known_miss;  ///< by method: why it is known to miss
+    std::vector<ValidatedValue> values;             ///< one per method that was asked
+};
+
+/// What one method of a case took, all sizes together.
+struct CaseCost {
+    std::string method;
+    double core_seconds = 0, seconds = 0;  ///< processor time, wall time [s]
+    int runs = 0;
+};
+
+struct ValidatedCase {
+    std::string name, title, family, tier, why, shows, shows_not;
+    std::vector<std::string> scenes;  ///< files
+    std::string why_not;              ///< why it was not run; empty: it was
+    std::vector<ValidatedQuantity> quantities;
+    std::vector<CaseCost> costs;
+    std::vector<std::string> versions = {};  ///< of the program, as the runs' records say
+};
+
+/// What one call of `twinwake validate` found.
+struct ValidationReport {
+    std::string title, tier, version, machine, date, command;
+    std::vector<ValidatedCase> cases;
+};
+
+/// Judges one value by ASME V&V 20-2009, all as half widths of 95 % intervals (the standard's u times 2):
+///
+///   E = S - D      U_num^2 = U_statistical^2 + U_discretisation^2 + U_choices^2
+///   U_val^2 = U_num^2 + U_input^2 + U_D^2
+///
+///   no value                         failed (why_not says it)
+///   no U_num                         not converged
+///   |E| <= U_val  and  U_val <= goal  met: the interval holds the truth and is as narrow as was aimed at
+///   |E| <= U_val  and  U_val >  goal  undecided: the interval holds the truth and is wider than that
+///   |E| >  U_val  and  |E| <= goal    near: within the goal, and the interval claims more than that
+///   |E| >  U_val  and  |E| >  goal    missed: an error of the model, or of the interval
+void judge_against(ValidatedValue& value, const ValidatedQuantity& quantity);
+
+/// Missed, or not converged and farther away than the goal: not what the suite aims at.
+bool falls_short(const ValidatedValue& value, const ValidatedQuantity& quantity);
+
+/// What the cases of one family say of one method's intervals. Counted are values that have an interval.
+struct FamilySummary {
+    std::string family, method;  ///< family "": all
+    int values = 0, without_interval = 0;
+    int inner = 0;                     ///< |E| <= U_val
+    int outer = 0;                     ///< the same with the outer interval, where there is one, in place of U_num
+    int narrow = 0, narrow_inner = 0;  ///< U_num below 15 % of the value; of these |E| <= U_val
+    int met = 0, fall_short = 0;
+    double median_error = nan;  ///< |E| over the scale, of all that have a value [%]
+    double core_seconds = 0;
+};
+inline constexpr double narrow_share = 0.15;
+/// All families together first, then each in the order of the cases; methods in the order of methods().
+std::vector<FamilySummary> summaries_of(const ValidationReport& report);
+
+/// A value that became worse, better, new, or is gone since an earlier report.
+struct ValidationChange {
+    enum class Kind { worse, better, new_value, gone } kind = Kind::worse;
+    std::string what;  ///< "still_tank, Lift, SPH"
+    std::string was, is;
+};
+/// Worse: its outcome is a worse one, or its error has grown by more than a quarter of the goal; better: the reverse. A
+/// value that neither is, is not listed. New and gone are those whose case, quantity and method only one report has with
+/// a value.
+std::vector<ValidationChange> changes_between(const ValidationReport& earlier, const ValidationReport& now);
+
+}  // namespace tw

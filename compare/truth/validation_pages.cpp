@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/truth/validation_report.h"
+#include "compare/truth/validation_tables.h"
+
+namespace tw {
+namespace {
+
+/// Words on lines of at most 120 columns, as the documentation is wrapped; an item of a list stands behind its dash.
+std::string wrapped(const std::string& text) {
+    std::string out, line;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        if (!line.empty() && line.size() + 1 + word.size() > 120)
+            out += line + "\n", line = text.starts_with("- ") ? " " : "";
+        if (!word.empty()) line += (line.empty() ? "" : " ") + word;
+        at = end + 1;
+    }
+    return out + line + "\n";
+}
+
+/// What may not stand in Markdown as it is: text of a suite or a record is text.
+std::string plain_markdown(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (std::string_view("\\`*_[]<>|#").find(c) != std::string_view::npos) out += '\\';
+        out += c == '\n' ? ' ' : c;
+    }
+    return out;
+}
+
+std::string made_from(const ValidationReport& r) {
+    return wrapped(
+        fmt::format("This page is made from data by `twinwake validate --pages`: twinwake {}, {}, {}. Do not edit it.",
+                    plain_markdown(r.version), plain_markdown(r.machine), plain_markdown(r.date)));
+}
+
+std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
+    std::string page = "# " + plain_markdown(c.title) + "\n\n" + wrapped(plain_markdown(c.why)) + "\n";
+    std::string scenes;
+    for (const std::string& scene : c.scenes) scenes += (scenes.empty() ? "" : ", ") + ("`" + scene + "`");
+    page += wrapped(fmt::format("**Family** {}. **Tier** {}. **Scene** {}.", c.family, c.tier, scenes)) + "\n";
+    if (!c.why_not.empty()) page += wrapped("**Not run with this version:** " + plain_markdown(c.why_not)) + "\n";
+    page += text_of(validation_table(c)) + "\n";
+    if (!c.versions.empty())
+        page += wrapped(plain_markdown(fmt::format("Runs made with twinwake {}.", fmt::join(c.versions, ", ")))) + "\n";
+    page += "## Where the truths are from\n\n";
+    for (const ValidatedQuantity& q : c.quantities)
+        page +=
+            wrapped("- " + plain_markdown(q.label) + " (" + q.truth.standing + "): " + plain_markdown(q.truth.source));
+    page += "\n";
+    if (!c.shows.empty()) page += "## What it shows\n\n" + wrapped(plain_markdown(c.shows)) + "\n";
+    if (!c.shows_not.empty()) page += "## What it does not show\n\n" + wrapped(plain_markdown(c.shows_not)) + "\n";
+    ReportTable parts = parts_table(c), costs = cost_table(c);
+    for (ReportTable* table : {&parts, &costs})
+        if (const std::string title = std::exchange(table->title, ""); !table->empty())
+            page += "## " + title + "\n\n" + text_of(*table) + "\n";
+    return page + made_from(report);
+}
+
+}  // namespace
+
+std::vector<MadePage> validation_pages(const ValidationReport& report) {
+    std::vector<MadePage> pages;
+    std::string index = "# " + plain_markdown(report.title) + "\n\n" + made_from(report) + "\n";
+    index += wrapped("Command: `" + report.command + "`, tier " + report.tier + ".") + "\n";
+    index += "## The cases\n\n";
+    for (const ValidatedCase& c : report.cases) {
+        index += wrapped(fmt::format(
+            "- [{}]({}.md), {}: {}", plain_markdown(c.title), c.name, c.family,
+            c.why_not.empty() ? plain_markdown(c.why) : "not run with this version: " + plain_markdown(c.why_not)));
+        pages.push_back({c.name + ".md", page_of(report, c)});
+    }
+    ReportTable families = family_table(report), values = validation_table(report);
+    for (ReportTable* table : {&families, &values})
+        index += "\n## " + std::exchange(table->title, "") + "\n\n" + text_of(*table);
+    pages.insert(pages.begin(), {"README.md", index});
+    return pages;
+}
+
+}  // namespace tw

@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/truth/validation.h"
+
+namespace tw {
+
+/// The report as data; everything else that is written follows from it.
+std::string validation_json(const ValidationReport& report);
+/// Throws InputError: cannot be read, is no such report.
+ValidationReport read_validation(const std::filesystem::path& file);
+
+std::string validation_text(const ValidationReport& report,
+                            const std::vector<ValidationChange>& changes);  ///< for a terminal
+/// A page of its own. `changes`: since an earlier report, whose name is `since`; empty: it was not asked for.
+std::string validation_html(const ValidationReport& report, const std::vector<ValidationChange>& changes,
+                            const std::string& since);
+std::string validation_csv(const ValidationReport& report);  ///< one row per case, quantity and method
+/// JUnit's XML: a suite per case, a test per quantity and method. What falls short is a failure, or skipped where the
+/// suite knows of it; a case that could not be run, or that left no value, is an error; what was not asked for is skipped.
+std::string validation_junit(const ValidationReport& report);
+
+/// One page of documentation, its name without folder and its Markdown.
+struct MadePage {
+    std::string name, text;
+};
+/// README.md with the tables of the whole suite, and one page a case.
+std::vector<MadePage> validation_pages(const ValidationReport& report);
+
+}  // namespace tw
