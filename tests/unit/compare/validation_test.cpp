@@ -1,0 +1,237 @@
+#include "compare/truth/validation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/atomic_file.h"
+#include "base/errors.h"
+#include "compare/truth/reading.h"
+#include "compare/truth/validation_report.h"
+#include "test_paths.h"
+
+namespace tw {
+namespace validation_test {
+
+namespace fs = std::filesystem;
+
+ValidatedQuantity quantity(double truth, double U_D, double goal) {
+    ValidatedQuantity q;
+    q.name = "lift", q.label = "Lift <&>", q.unit = "N";
+    q.truth = {truth, U_D, "exact", "by hand"};
+    q.goal = goal, q.scale = std::abs(truth);
+    return q;
+}
+
+ValidatedValue judged(const ValidatedQuantity& q, double value, double statistical, double discretisation,
+                      double choices = 0, double input = 0) {
+    ValidatedValue v;
+    v.method = "sph", v.outcome = Outcome::failed;
+    v.value = value, v.statistical = statistical, v.discretisation = discretisation, v.choices = choices,
+    v.input = input;
+    judge_against(v, q);
+    return v;
+}
+
+TEST(Validation, IsAsmeVV20ByHand) {
+    // E = 103 - 100; U_num^2 = 1 + 4 + 4 = 9; U_val^2 = 9 + 16 + 144 = 169
+    const ValidatedQuantity q = quantity(100, 12, 20);
+    const ValidatedValue v = judged(q, 103, 1, 2, 2, 4);
+    EXPECT_DOUBLE_EQ(v.E, 3);
+    EXPECT_DOUBLE_EQ(v.U_num, 3);
+    EXPECT_DOUBLE_EQ(v.U_val, 13);
+    EXPECT_EQ(v.outcome, Outcome::met);
+}
+
+TEST(Validation, EveryOutcomeByItsRule) {
+    EXPECT_EQ(judged(quantity(100, 0, 5), 103, 0, 4).outcome, Outcome::met);
+    EXPECT_EQ(judged(quantity(100, 0, 5), 103, 0, 6).outcome, Outcome::undecided);
+    EXPECT_EQ(judged(quantity(100, 0, 5), 103, 0, 2).outcome, Outcome::near);
+    EXPECT_EQ(judged(quantity(100, 0, 2), 103, 0, 1).outcome, Outcome::missed);
+    EXPECT_EQ(judged(quantity(100, 0, 2), 97, 0, 1).outcome, Outcome::missed);  // below as well
+    EXPECT_EQ(judged(quantity(100, 0, 5), 103, 0, nan).outcome, Outcome::not_converged);
+    EXPECT_EQ(judged(quantity(100, 0, 5), nan, 0, 1).outcome, Outcome::failed);
+    EXPECT_EQ(judged(quantity(100, 0, 5), 103, infinite, nan).outcome, Outcome::not_converged);
+    EXPECT_FALSE(falls_short(judged(quantity(100, 0, 5), 103, 0, nan), quantity(100, 0, 5)));
+    EXPECT_TRUE(falls_short(judged(quantity(100, 0, 5), 110, 0, nan), quantity(100, 0, 5)));
+    EXPECT_FALSE(falls_short(judged(quantity(100, 0, 5), 103, 0, 6), quantity(100, 0, 5)));
+}
+
+/// Two families: of the three values that have an interval one holds the truth, and with the outer one two.
+ValidationReport small_report() {
+    ValidationReport r{"A suite", "minutes", "1.0", "a machine", "2026-01-01", "twinwake validate suite", {}};
+    ValidatedCase a{"tank", "Tank | one", "tanks", "minutes", "Because.", "", "", {"tank.toml"}, "", {}, {}};
+    ValidatedQuantity holds = quantity(100, 0, 5), outer = quantity(100, 0, 5), missed = quantity(100, 0, 1);
+    holds.name = "holds", outer.name = "outer", missed.name = "missed";
+    holds.values.push_back(judged(holds, 103, 0, 4));
+    outer.values.push_back(judged(outer, 108, 0, 20));
+    ValidatedValue narrow = judged(outer, 108, 0, 2);
+    narrow.method = "fvm", narrow.outer_below = 9, narrow.outer_above = 2;
+    outer.values.push_back(narrow);
+    a.quantities = {holds, outer};
+    a.costs = {{"sph", 10, 12, 3}, {"fvm", 30, 32, 3}};
+    ValidatedCase b{"wave", "Wave", "waves", "minutes", "Because.", "", "", {"wave.toml"}, "", {}, {}};
+    missed.values.push_back(judged(missed, 104, 0, 1));
+    b.quantities = {missed};
+    ValidatedCase c{"night", "Night", "waves", "night", "Because.", "", "", {"night.toml"}, "of tier night", {}, {}};
+    c.quantities = {quantity(1, 0, 1)};
+    c.quantities[0].values.emplace_back().method = "sph";
+    r.cases = {a, b, c};
+    return r;
+}
+
+TEST(Validation, SumsUpByFamilyAndMethod) {
+    const std::vector<FamilySummary> all = summaries_of(small_report());
+    ASSERT_EQ(all.size(), 5u);  // all: sph, fvm; tanks: sph, fvm; waves: sph
+    EXPECT_EQ(all[0].method, "sph");
+    EXPECT_EQ(all[0].values, 3);
+    EXPECT_EQ(all[0].inner, 2);
+    EXPECT_EQ(all[0].narrow, 2);        // 4 of 103, 1 of 104; 20 of 108 is wide
+    EXPECT_EQ(all[0].narrow_inner, 1);  // the first
+    EXPECT_EQ(all[0].met, 1);
+    EXPECT_EQ(all[0].fall_short, 1);
+    EXPECT_DOUBLE_EQ(all[0].median_error, 4);  // of 3, 4 and 8 %
+    EXPECT_EQ(all[1].inner, 0);
+    EXPECT_EQ(all[1].outer, 1);  // the truth lies 8 below, and the outer interval reaches 9 below
+    EXPECT_DOUBLE_EQ(all[3].core_seconds, 30);
+    EXPECT_EQ(all[4].family, "waves");
+}
+
+TEST(Validation, NamesWhatBecameWorse) {
+    const ValidationReport before = small_report();
+    ValidationReport now = before;
+    EXPECT_TRUE(changes_between(before, now).empty());
+    ValidatedQuantity& q = now.cases[0].quantities[0];
+    q.values[0] = judged(q, 109, 0, 1);
+    ValidatedQuantity& better = now.cases[1].quantities[0];
+    better.values[0] = judged(better, 100.2, 0, 1);
+    now.cases[0].quantities[1].values.pop_back();
+    const std::vector<ValidationChange> changes = changes_between(before, now);
+    ASSERT_EQ(changes.size(), 3u);
+    EXPECT_EQ(changes[0].kind, ValidationChange::Kind::worse);
+    EXPECT_EQ(changes[0].what, "tank, Lift <&>, SPH");
+    EXPECT_NE(changes[0].is.find("missed"), std::string::npos) << changes[0].is;
+    EXPECT_EQ(changes[1].kind, ValidationChange::Kind::better);
+    EXPECT_EQ(changes[2].kind, ValidationChange::Kind::gone);
+    q.values[0] = judged(q, 103.5, 0, 4);  // less than a quarter of the goal farther away
+    EXPECT_EQ(changes_between(before, now)[0].kind, ValidationChange::Kind::better);
+}
+
+TEST(Validation, IsTheSameReadBackFromItsJson) {
+    const fs::path file = fs::temp_directory_path() / "validation_test.json";
+    const ValidationReport report = small_report();
+    write_text_atomically(file, validation_json(report));
+    EXPECT_EQ(validation_json(read_validation(file)), validation_json(report));
+    EXPECT_EQ(validation_pages(read_validation(file))[1].text, validation_pages(report)[1].text);
+    write_text_atomically(file, "{\"title\": 1}");
+    EXPECT_THROW(read_validation(file), InputError);
+    std::string text = validation_json(report);
+    text.replace(text.find("\"outcome\": \"met\""), 16, "\"outcome\": \"odd\"");
+    write_text_atomically(file, text);
+    EXPECT_THROW(read_validation(file), InputError);
+    fs::remove(file);
+}
+
+TEST(Validation, JUnitParsesAndCounts) {
+    ValidationReport report = small_report();
+    report.cases[0].quantities[0].values[0] = judged(report.cases[0].quantities[0], nan, 0, 1);  // no value
+    const auto parsed = [&] {
+        std::istringstream in(validation_junit(report));
+        boost::property_tree::ptree tree;
+        boost::property_tree::read_xml(in, tree);
+        return tree;
+    };
+    boost::property_tree::ptree tree = parsed();
+    const auto count = [&](const char* what) { return tree.get<int>(std::string("testsuites.<xmlattr>.") + what); };
+    EXPECT_EQ(count("tests"), 5);
+    EXPECT_EQ(count("failures"), 2);
+    EXPECT_EQ(count("errors"), 1);
+    EXPECT_EQ(count("skipped"), 1);
+    int failures = 0;
+    for (const auto& [tag, suite] : tree.get_child("testsuites"))
+        if (tag == "testsuite")
+            for (const auto& [inner, test] : suite) failures += inner == "testcase" && test.count("failure") > 0;
+    EXPECT_EQ(failures, 2);
+    report.cases[1].quantities[0].known_miss["sph"] = "a reason";
+    tree = parsed();
+    EXPECT_EQ(count("failures"), 1);
+    EXPECT_EQ(count("skipped"), 2);
+}
+
+TEST(Validation, TextOfASuiteIsTextInEveryFile) {
+    const ValidationReport report = small_report();
+    EXPECT_EQ(validation_html(report, {}, "").find("Lift <&>"), std::string::npos);
+    EXPECT_NE(validation_html(report, {}, "").find("Lift &lt;&amp;&gt;"), std::string::npos);
+    EXPECT_NE(validation_csv(report).find("tank,tanks,minutes,holds,N,sph,100,"), std::string::npos);
+    EXPECT_NE(validation_pages(report)[1].text.find("# Tank \\| one"), std::string::npos);
+}
+
+/// The pages of docs/validation are those of validation/report.json: whoever changes one changes the other.
+TEST(Validation, CommittedPagesAreMadeFromTheCommittedReport) {
+    const fs::path source = TWINWAKE_SOURCE;
+    std::size_t pages = 0;
+    for (const MadePage& page : validation_pages(read_validation(source / "validation/report.json"))) {
+        const fs::path file = source / "docs/validation" / page.name;
+        ASSERT_TRUE(fs::exists(file)) << page.name;
+        EXPECT_EQ(read_text(file), page.text)
+            << page.name << ": twinwake validate validation/report.json --out /tmp/validation --pages docs/validation";
+        ++pages;
+    }
+    for (const auto& entry : fs::directory_iterator(source / "docs/validation")) pages -= entry.is_regular_file();
+    EXPECT_EQ(pages, 0u) << "a page of no case";
+}
+
+RunRecord record_of(double (*x)(double t), double end, double step) {
+    RunRecord record;
+    Table& table = record.table("height");
+    Column& column = table.column("left", "m");
+    for (double t = 0, k = 0; t <= end + 1e-9; ++k, t = step * (k + 0.3 * std::sin(k))) {
+        table.time.push_back(t);
+        column.values.push_back(x(t));
+    }
+    return record;
+}
+MeanValue read_off(const Reading& reading, const RunRecord& record) {
+    return quantity_of(reading, "it", "It", record).values[0];
+}
+
+TEST(Reading, PeriodIsThatOfTheStrongestWaveBesideAnother) {
+    const RunRecord two = record_of(
+        [](double t) { return 3 + std::cos(2 * pi * t / 1.2) + 0.3 * std::cos(2 * pi * t / 0.55 + 1); }, 8, 0.02);
+    const Reading period{"height", "left", Reading::Kind::period};
+    EXPECT_NEAR(read_off(period, two).value, 1.2, 0.002);
+    EXPECT_EQ(quantity_of(period, "it", "It", two).unit, "s");
+    const RunRecord line = record_of([](double t) { return t; }, 8, 0.02);
+    EXPECT_FALSE(read_off(period, line).known);
+    EXPECT_NE(read_off(period, line).why_not.find("no oscillation"), std::string::npos);
+}
+
+TEST(Reading, MeanExtremesValueAndCrossing) {
+    const RunRecord line = record_of([](double t) { return 2 * t; }, 4, 0.01);
+    using Kind = Reading::Kind;
+    EXPECT_NEAR(read_off({"height", "left", Kind::mean, 1, 3}, line).value, 4, 0.02);
+    EXPECT_NEAR(read_off({"height", "left", Kind::largest, 1, 3}, line).value, 6, 0.05);
+    EXPECT_NEAR(read_off({"height", "left", Kind::smallest, 1, 3}, line).value, 2, 0.05);
+    EXPECT_NEAR(read_off({.table = "height", .column = "left", .kind = Kind::at, .at = 2.345}, line).value, 4.69, 1e-9);
+    EXPECT_NEAR(read_off({.table = "height", .column = "left", .kind = Kind::crossing, .threshold = 5}, line).value,
+                2.5, 1e-9);
+    for (const auto& [reading, words] :
+         {std::pair{Reading{"heights", "left"}, "no table \"heights\""},
+          std::pair{Reading{"height", "right"}, "no column \"right\"; it has: left"},
+          std::pair{Reading{"height", "left", Kind::mean, 1, 9}, "ends at"},
+          std::pair{Reading{.table = "height", .column = "left", .kind = Kind::crossing, .threshold = 50},
+                    "never crosses"}}) {
+        const MeanValue m = read_off(reading, line);
+        EXPECT_FALSE(m.known);
+        EXPECT_NE(m.why_not.find(words), std::string::npos) << m.why_not;
+    }
+}
+
+}  // namespace validation_test
+}  // namespace tw
