@@ -9,6 +9,7 @@
 
 #include "app/jobs_by_default.h"
 #include "app/output.h"
+#include "app/run_told.h"
 #include "app/side_by_side.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
@@ -46,6 +47,16 @@ bool failed_before_it_saved(const CampaignRun& run) {
     if (fs::exists(run.folder / solver_of(run.method).state)) return false;
     const std::optional<RunRecord> record = record_of(run);
     return record && record->state == "failed";
+}
+
+/// Leaves the list of the runs that are made here one after another for those who watch them; not being able to is no
+/// failure.
+void tell_runs(const fs::path& out, const std::vector<CampaignRun>& runs) {
+    RunsList list{ProcessName::own(), seconds_since_1970()};
+    for (const CampaignRun& run : runs)
+        list.runs.push_back(
+            {run.name, fs::absolute(run.folder).lexically_relative(fs::absolute(out)), run.plan.seconds(run.method)});
+    replace_quietly(out / runs_list_file, json_of(list));
 }
 
 Member member_of(const CampaignRun& run) {
@@ -119,14 +130,15 @@ Sharing Campaign::sharing_of(const std::vector<CampaignRun>& made) const {
 
 void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
     const bool shared = std::ranges::any_of(runs, [](const CampaignRun& r) { return r.ranks() > 1; });
-    if (!rules_.collect.empty() || (rules_.jobs == 1 && !shared)) return;
+    if (!rules_.collect.empty()) return;
     // a budget is of runs one after another
     const bool budgeted = rules_.jobs == 0 && std::isfinite(rules_.budget);
-    if (budgeted && !shared) return;
     std::vector<CampaignRun> made = runs;
     if (rules_.take_finished) std::erase_if(made, is_finished);
-    const Sharing sharing = sharing_of(made);
-    if (sharing.jobs < 2 && !shared) return;
+    const Sharing sharing = rules_.jobs == 1 || budgeted ? Sharing{} : sharing_of(made);
+    if (sharing.jobs < 2 && !shared) return tell_runs(study.out, runs);
+    std::error_code ignored;  // of an earlier command: these runs are the study's, which tells more
+    fs::remove(study.out / runs_list_file, ignored);
     made = to_make(runs);
     for (const CampaignRun& run : made) study.members.push_back(member_of(run));
     const std::vector<MemberState> states = run_side_by_side(study, sharing, common_);

@@ -60,7 +60,7 @@ public:
     /// from now on.
     std::vector<CampaignRun> to_make(const std::vector<CampaignRun>& runs);
     /// Where runs are made by other processes: makes those of the study, whose members follow from `runs`, so that
-    /// run_or_take finds them. Else nothing.
+    /// run_or_take finds them. Else leaves a list of the runs in the study's folder, for those who watch it.
     void ahead(Study study, const std::vector<CampaignRun>& runs);
 
     /// Takes the record if the run is finished there, by run hash and duration; else resumes it if it was stopped, or

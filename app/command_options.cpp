@@ -275,7 +275,12 @@ void member_options(CLI::App& c, MemberCommand& member) {
 }
 
 void study_options(CLI::App& c, StudyCommand& study) {
-    c.add_option("folder", study.folder, "folder of the study's results")->required();
+    c.add_option("folder", study.folder, "folder of results of a run or a study")->required();
+}
+
+void watch_options(CLI::App& c, WatchCommand& watch) {
+    c.add_option("folder", watch.folder, "folder of results of a run or a study")->required();
+    c.add_option("--every", watch.every, "how often to look, in seconds (2)")->check(CLI::Range(0.1, 3600.0));
 }
 
 void import_options(CLI::App& c, ImportCommand& imported) {

@@ -18,6 +18,7 @@ void ablate_options(CLI::App& c, AblateCommand& ablate);
 void validate_options(CLI::App& c, ValidateCommand& validate);
 void member_options(CLI::App& c, MemberCommand& member);
 void study_options(CLI::App& c, StudyCommand& study);
+void watch_options(CLI::App& c, WatchCommand& watch);
 void import_options(CLI::App& c, ImportCommand& imported);
 void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty);
 void hull_info_options(CLI::App& c, HullCommand& hull);

@@ -24,10 +24,14 @@ struct MemberState {
     bool ended() const { return kind != Kind::waiting && kind != Kind::running; }
 };
 std::string name_of(MemberState::Kind kind);
+/// Throws InputError: there is none of this name.
+MemberState::Kind kind_of_name(const std::string& name);
 
 /// Waiting where there is no file, or none that can be read.
 MemberState read_member_state(const std::filesystem::path& file);
 /// What cannot be written is silently not told: a run goes on without it.
 void write_member_state(const std::filesystem::path& file, const MemberState& state);
+/// Under a temporary name, and renamed; quietly nothing where it cannot be written.
+void replace_quietly(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace tw::app

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/terminal.h"
+
 namespace tw::app {
 namespace {
 
@@ -20,7 +22,7 @@ std::string left_text(double seconds) { return seconds > 0 ? fmt::format("{} lef
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label, bool quiet)
-    : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+    : label_(std::move(label)), quiet_(quiet), terminal_(is_terminal(STDERR_FILENO)) {}
 
 ProgressBar::~ProgressBar() {
     if (shown_ && terminal_) std::fputc('\n', stderr);
@@ -31,8 +33,8 @@ void ProgressBar::show(const Progress& p) {
     // Phases before the time loop have no share: their note is news.
     if (!due(share, p.time == 0 && p.note != last_note_)) return;
     const std::string steps = p.steps > 0 ? fmt::format("step {}  ", p.steps) : "";
-    draw(share, fmt::format("{:3.0f} %  t = {:.4g} of {:.4g} s  {}{} elapsed  {}{}", 100 * share, p.time, p.duration,
-                            steps, clock_text(p.wall), left_text(p.eta), p.note));
+    draw(share, fmt::format("{:3.0f} %  {}t = {:.4g} of {:.4g} s  {}{} elapsed  {}", 100 * share, left_text(p.eta),
+                            p.time, p.duration, steps, clock_text(p.wall), p.note));
     last_note_ = p.note;
 }
 
@@ -40,7 +42,7 @@ void ProgressBar::show(double share, double wall, double left, const std::string
     share = std::clamp(share, 0.0, 1.0);
     if (!due(share, false)) return;
     draw(share,
-         fmt::format("{:3.0f} %  {}  {} elapsed  {}{}", 100 * share, done, clock_text(wall), left_text(left), note));
+         fmt::format("{:3.0f} %  {}{}  {} elapsed  {}", 100 * share, left_text(left), done, clock_text(wall), note));
 }
 
 void ProgressBar::clear() const {
@@ -56,12 +58,11 @@ bool ProgressBar::due(double share, bool phase) const {
 
 void ProgressBar::draw(double share, const std::string& facts) {
     if (terminal_) {
-        constexpr std::size_t width = 24;
-        const auto full = static_cast<std::size_t>(share * width);
-        std::fputs(
-            fmt::format("\r\033[K{} [{}{}] {}", label_, std::string(full, '#'), std::string(width - full, '.'), facts)
-                .c_str(),
-            stderr);
+        // A line that is wider than the terminal goes on in the next, and the next one could not be written over it.
+        const std::size_t columns = terminal_columns(STDERR_FILENO), width = std::min<std::size_t>(24, columns / 6);
+        const auto full = static_cast<std::size_t>(share * static_cast<double>(width));
+        const std::string bar = std::string(full, '#') + std::string(width - full, '.');
+        std::fputs(("\r\033[K" + fitted(fmt::format("{} [{}] {}", label_, bar, facts), columns)).c_str(), stderr);
     } else {
         std::fputs(fmt::format("{}: {}\n", label_, facts).c_str(), stderr);
     }

@@ -6,8 +6,9 @@
 
 namespace tw::app {
 
-/// Shows how far a run is on standard error: one line that is rewritten on a terminal, a line every tenth of the run or
-/// every half minute (whichever is rarer) in a log.
+/// Shows how far a run is on standard error: one line that is rewritten on a terminal and no wider than it, a line
+/// every tenth of the run or every half minute (whichever is rarer) in a log. Nothing is coloured, so that NO_COLOR has
+/// nothing to take away.
 class ProgressBar {
 public:
     ProgressBar(std::string label, bool quiet);

@@ -7,8 +7,10 @@
 
 #include "app/machine_pace.h"
 #include "app/progress_bar.h"
+#include "app/run_teller.h"
 #include "app/solvers.h"
 #include "app/stop_signal.h"
+#include "base/in_words.h"
 #include "compare/report/numbers.h"
 #include "foam_cases/run/child.h"
 #include "methods/methods.h"
@@ -68,6 +70,21 @@ PlannedRun plan_run(const RunRequest& request) {
     return {request, std::move(scene), prediction};
 }
 
+namespace {
+
+RunRecord run_and_tell(const std::string& method, const Scene& scene, const RunOptions& options, RunTeller& teller) {
+    try {
+        RunRecord record = solver_of(method).run(scene, options);
+        teller.end(record);
+        return record;
+    } catch (const std::exception& e) {
+        teller.failed(in_words(e));
+        throw;
+    }
+}
+
+}  // namespace
+
 RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common) {
     const Scene& scene = plan.scene;
     RunOptions options;
@@ -83,13 +100,15 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.predicted_steps = cost.steps;
     options.command = common.command;
     ProgressBar bar(method_label(method), common.quiet);
+    RunTeller teller(run.folder, method, scene.sampling.mean_from, Comm::world().first());
     options.progress = [&](const Progress& p) {
         bar.show(p);
+        teller.progress(p);
         if (run.progress) run.progress(p);
     };
     options.stop_asked = stop_asked;
     const Share share;
-    RunRecord record = solver_of(method).run(scene, options);
+    RunRecord record = run_and_tell(method, scene, options, teller);
     // what an effect costs is an estimate of its own, and air's is the roughest
     if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air")) {
         double taken = 0;

@@ -23,6 +23,12 @@ struct StudyCommand {
     std::filesystem::path folder;  ///< of the study's results
 };
 int run_status(const StudyCommand& command, const Common& common);
+struct WatchCommand {
+    std::filesystem::path folder;  ///< of a run or a study
+    double every = 2;              ///< how often it looks [s]
+};
+/// Shows the status until nothing runs any longer; `done` if all runs are.
+int run_watch(const WatchCommand& command, const Common& common);
 int run_cancel(const StudyCommand& command, const Common& common);
 
 /// Writes study/Snakefile, and runs nothing.

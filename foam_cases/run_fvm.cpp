@@ -158,7 +158,7 @@ private:
         return record_.phases.emplace_back(Phase{name});
     }
     void tell(double time, double wall, double eta, long steps, const std::string& note) const {
-        if (options_.progress) options_.progress({time, plan_.scene->run.duration, wall, eta, steps, note});
+        if (options_.progress) options_.progress({time, plan_.scene->run.duration, wall, eta, steps, note, &record_});
     }
     bool stop_asked() const { return options_.stop_asked && options_.stop_asked(); }
 

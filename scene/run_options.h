@@ -6,12 +6,16 @@
 namespace tw {
 
 struct Prediction;
+struct RunRecord;
 
 struct Progress {
     double time = 0, duration = 0;  ///< simulated [s]
     double wall = 0, eta = 0;       ///< [s]
     long steps = 0;
     std::string note;  ///< phase or state, e.g. "meshing", "dt 1.2e-4 s"
+    /// What is known of the run so far: its tables and certificate grow while it runs. Null where nothing is; valid in the
+    /// call alone.
+    const RunRecord* so_far = nullptr;
 };
 
 /// How one method is run. Both solvers take this and leave `folder/record.h5`.

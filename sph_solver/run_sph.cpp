@@ -294,6 +294,7 @@ private:
         const Level* air = simulation_->gas();
         p.note = fmt::format("sph {} particles{}, dt {:.3g} s", particles_of_water(),
                              air ? fmt::format(" and {} of air", air->count()) : "", simulation_->dt());
+        p.so_far = &record();
         options_.progress(p);
         last_report_ = wall_now();
     }

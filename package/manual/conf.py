@@ -13,7 +13,8 @@ html_theme = "sphinx_rtd_theme"
 # What stands in the side bar, in this order; all other pages are found through these.
 chapters = {
     "Using twinwake": ["README", "scene/README", "docs/scene_reference", "studies/README", "meshes/README",
-                       "import/README", "docs/PARAVIEW", "docs/python", "docs/record_columns", "docs/cluster"],
+                       "import/README", "docs/PARAVIEW", "docs/python", "docs/record_columns", "docs/watching",
+                       "docs/cluster"],
     "What is known": ["docs/theory", "docs/glossary", "docs/validation", "docs/stability", "docs/audit",
                       "docs/reliability", "docs/performance", "docs/limits", "docs/STATUS", "docs/decisions/README"],
     "Changing twinwake": ["docs/ARCHITECTURE", "CONTRIBUTING", "CHANGELOG"],

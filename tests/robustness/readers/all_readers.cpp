@@ -7,6 +7,7 @@
 #include "app/budget.h"
 #include "app/machine_pace.h"
 #include "app/member_state.h"
+#include "app/run_told.h"
 #include "app/site.h"
 #include "app/slurm.h"
 #include "app/study.h"
@@ -203,6 +204,12 @@ void read_member(const Input& in) {
     if (!(s.share >= 0 && s.share <= 1 && s.left >= 0)) throw std::logic_error("a share that nothing can be done to");
 }
 
+void read_told(const Input& in) {
+    const app::RunTold t = app::read_run_told(in.file("progress.json").parent_path());
+    if (!(t.share() >= 0 && t.share() <= 1 && t.left >= 0))
+        throw std::logic_error("a share that nothing can be done to");
+}
+
 /// Drawings where they can be read: the library for them is built where Open CASCADE is found.
 std::vector<Reader> with_drawings(std::vector<Reader> all) {
     if (fs::exists(fs::path(TWINWAKE_PROGRAM).parent_path() / "meshes/libtwinwake_drawings.so")) {
@@ -260,6 +267,8 @@ const std::vector<Reader>& all_readers() {
         {"series", [](const Input& in) { read_series(in.file("particles.hdf.series")); }},
         {"study", [](const Input& in) { app::read_study(results_with(in, "study/study.json")); }},
         {"member", read_member},
+        {"run_told", read_told},
+        {"runs_list", [](const Input& in) { app::read_runs_list(in.file("runs.json").parent_path()); }},
         {"jobs", [](const Input& in) { app::read_jobs(results_with(in, "study/jobs.json")); }},
         {"sizes", [](const Input& in) { app::remembered_sizes(results_with(in, "sizes.json"), 600); }},
         {"pace", read_pace},
