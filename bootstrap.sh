@@ -19,7 +19,7 @@ build_packages=(
 openfoam_packages=(openfoam dpkg-dev flex)
 # A Slurm on one host, for the tests of studies on a cluster; without it they are skipped. Clang with its libFuzzer and
 # its OpenMP, for tools/fuzz.sh. h5py, for the tests of the Python package.
-test_packages=(slurm-wlm munge clang libclang-rt-dev libomp-dev python3-h5py)
+test_packages=(slurm-wlm munge clang libclang-rt-dev libomp-dev python3-h5py python3-numpy)
 # ---------------------------------------------------------------------------------------------------------------------
 
 usage() {
