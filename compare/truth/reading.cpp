@@ -6,10 +6,10 @@
 #include <cmath>
 #include <complex>
 
-#include "compare/align/time_bins.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/verdict/judge.h"
+#include "statistics/time_bins.h"
 
 namespace tw {
 namespace {
