@@ -66,7 +66,7 @@ ReportChange change_of(const ReportedQuantity& a, const ReportedQuantity& b, con
     return change;
 }
 
-std::string number_text(double v) { return std::isfinite(v) ? plain_number(v) : "–"; }
+std::string number_or_dash(double v) { return std::isfinite(v) ? plain_number(v) : "–"; }
 
 /// What one run says otherwise: its numbers, then its attributes.
 std::vector<ReportOtherwise> otherwise_of(const ReportedRun& a, const ReportedRun& b) {
