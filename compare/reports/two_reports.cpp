@@ -83,7 +83,7 @@ std::vector<ReportOtherwise> otherwise_of(const ReportedRun& a, const ReportedRu
                 list.push_back({name, a.name, said, says, !solved && !attributes_of_scene.contains(name)});
         }
     };
-    compare(a.numbers, b.numbers, number_text, true);
+    compare(a.numbers, b.numbers, number_or_dash, true);
     compare(
         a.attributes, b.attributes, [](const std::string& text) { return text; }, false);
     return list;
