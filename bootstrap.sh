@@ -175,9 +175,10 @@ provide_openfoam() {
     [ "$with_openfoam" = 1 ] || { echo "OpenFOAM: left out (--no-openfoam)"; return; }
     if openfoam_is_sound; then
         echo "OpenFOAM: a sound interFoam is there"
-        # Its library of walls may be absent or of an earlier source; interFoam runs without it, and says so.
+        # Its libraries of walls and zones may be absent or of an earlier source; interFoam runs without them, and says so.
         if [ -x .openfoam/bin/interFoam ]; then
-            JOBS=$jobs tools/build_openfoam_solvers.sh "$root/.openfoam" || echo "note: walls of interFoam hold water"
+            JOBS=$jobs tools/build_openfoam_solvers.sh "$root/.openfoam" ||
+                echo "note: interFoam is without twinwake's libraries of walls and zones; streams that need zones are refused"
         fi
         return
     fi

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "base/errors.h"
 #include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/mass_properties.h"
