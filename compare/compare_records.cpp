@@ -146,8 +146,8 @@ void add_savitsky(Comparison& comparison) {
     std::optional<PrismaticHull> hull;
     for (const RunRecord& record : comparison.sources)
         if (!hull) hull = prismatic_hull(record);
-    if (!hull || number_of(comparison.sources.front(), "dimensions", 3) == 2) return;
     const RunRecord& first = comparison.sources.front();
+    if (!hull || number_of(first, "dimensions", 3) == 2 || text_of(first, "motion") == "none") return;
     const bool friction = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
         const Column* c = r.series("forces", "fx_viscous");
         return c && std::ranges::any_of(c->values, [](double v) { return std::isfinite(v) && v != 0; });

@@ -212,7 +212,7 @@ LadderQuantity lift_with_scatter(double scatter, double fvm_limit) {
 }
 
 TEST(Ladder, AScatterWiderThanTheTargetIsUndecidedAndItsRemedySaid) {
-    const LadderQuantity lift = lift_with_scatter(300, 2800);
+    const LadderQuantity lift = lift_with_scatter(100, 2800);
     EXPECT_EQ(lift.values[0].estimate.convergence, Convergence::scattered);
     EXPECT_EQ(lift.verdict, Verdict::undecided);
     EXPECT_NE(lift.reason.find("sizes between these narrow the interval"), std::string::npos) << lift.reason;

@@ -89,7 +89,7 @@ TEST(Sizes, ValuesWithoutAHalfWidthThatJumpHaveAnIntervalOfTheirJumps) {
     const Ladder ladder = build_ladder(runs);
     ASSERT_EQ(ladder.quantities[0].name, "lift");
     EXPECT_GT(ladder.quantities[0].values[0].uncertainty, 19000);
-    EXPECT_EQ(ladder.quantities[0].verdict, Verdict::undecided);
+    EXPECT_EQ(ladder.quantities[0].verdict, Verdict::no_answer);
 }
 
 TEST(Sizes, OfThreeSourcesEachPairHasTheLaddersVerdictAndWhatIsInNoLadderHasNone) {

@@ -38,7 +38,7 @@ bool symmetric(const Surface& s) {
 }
 
 TEST(HullShapes, AreSoundClosedOutwardAndOnTheirKeel) {
-    ASSERT_EQ(hull_shapes().size(), 9u);
+    ASSERT_EQ(hull_shapes().size(), 10u);
     for (const HullShape& shape : hull_shapes()) {
         const Surface hull = make_hull(shape.name, {});
         EXPECT_TRUE(check_surface(hull).empty()) << shape.name << "\n" << text(check_surface(hull));
