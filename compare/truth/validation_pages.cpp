@@ -78,8 +78,10 @@ std::vector<MadePage> validation_pages(const ValidationReport& report) {
         pages.push_back({c.name + ".md", page_of(report, c)});
     }
     ReportTable families = family_table(report), values = validation_table(report);
-    for (ReportTable* table : {&families, &values})
-        index += "\n## " + std::exchange(table->title, "") + "\n\n" + text_of(*table);
+    for (ReportTable* table : {&families, &values}) {
+        const std::string title = std::exchange(table->title, "");
+        index += "\n## " + title + "\n\n" + text_of(*table);
+    }
     pages.insert(pages.begin(), {"README.md", index});
     return pages;
 }
