@@ -132,7 +132,8 @@ TEST_F(Command, StatusKnowsTheRunsThatHaveNotBegunAndTheOneThatWasKilled) {
     EXPECT_NE(watched.out.find("ended without a word"), std::string::npos) << watched.out;
     EXPECT_EQ(watched.out.find('\033'), std::string::npos);
     EXPECT_EQ(twinwake({"status", "."}).status, 0);  // finds them below, too
-    const Outcome nothing = twinwake({"status", "cache"});
+    fs::create_directory(folder_ / "empty");
+    const Outcome nothing = twinwake({"status", "empty"});
     EXPECT_EQ(nothing.status, 2);
     EXPECT_NE(nothing.err.find("there is no run in it"), std::string::npos) << nothing.err;
 }
