@@ -222,7 +222,7 @@ void goes_on_with_another_number_of_ranks(const std::string& text, const Scratch
 
 TEST_F(Ranks, ARunWithTwoSizesGoesOnWithAnotherNumberOfRanks) {
     const ScratchFolder folder("ranks_resume_sizes");
-    goes_on_with_another_number_of_ranks(column_and_fine_particles() + "[effects]\nforcing_zones = \"on\"\n", folder);
+    goes_on_with_another_number_of_ranks(column_and_fine_particles(), folder);
     for (const char* of : {"births", "spray"}) EXPECT_GT(last(folder.path() / "ranks_1/sph", 1, of), 10) << of;
 }
 
