@@ -132,14 +132,15 @@ void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
     const bool shared = std::ranges::any_of(runs, [](const CampaignRun& r) { return r.ranks() > 1; });
     if (!rules_.collect.empty()) return;
     // a budget is of runs one after another
-    const bool budgeted = rules_.jobs == 0 && std::isfinite(rules_.budget);
+    const bool one_by_one = rules_.jobs == 1 || (rules_.jobs == 0 && std::isfinite(rules_.budget));
+    if (one_by_one && !shared) return tell_runs(study.out, runs);
     std::vector<CampaignRun> made = runs;
     if (rules_.take_finished) std::erase_if(made, is_finished);
-    const Sharing sharing = rules_.jobs == 1 || budgeted ? Sharing{} : sharing_of(made);
+    const Sharing sharing = one_by_one ? Sharing{} : sharing_of(made);
     if (sharing.jobs < 2 && !shared) return tell_runs(study.out, runs);
     std::error_code ignored;  // of an earlier command: these runs are the study's, which tells more
     fs::remove(study.out / runs_list_file, ignored);
-    made = to_make(runs);
+    made = to_make(made);
     for (const CampaignRun& run : made) study.members.push_back(member_of(run));
     const std::vector<MemberState> states = run_side_by_side(study, sharing, common_);
     for (std::size_t k = 0; k < made.size(); ++k) {
