@@ -5,9 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/output.h"
-#include "app/solvers.h"
-#include "app/submit.h"
+#include "app/arguments/output.h"
+#include "app/cluster/submit.h"
+#include "app/runs/solvers.h"
 #include "scene/effects/registry.h"
 #include "suite/suite.h"
 
@@ -76,13 +76,13 @@ void add_surface(CLI::App& c, HullCommand& hull) {
 }  // namespace
 
 void add_jobs(CLI::App& c, Making& making) {
-    CLI::Option* jobs =
-        c.add_option(
-             "--jobs", making.jobs,
-             "runs side by side (where it is faster as many as there are cores, each on one, unless --threads is given; "
-             "else 1), each a process of its own; of N they share the cores by predicted time, but for --threads, which "
-             "each then has, and begin as cores and memory allow")
-            ->check(CLI::Range(1, 1024));
+    CLI::Option* jobs = c.add_option("--jobs", making.jobs,
+                                     "runs side by side (where it is faster as many as there are cores, each on one, "
+                                     "unless --threads is given; "
+                                     "else 1), each a process of its own; of N they share the cores by predicted time, "
+                                     "but for --threads, which "
+                                     "each then has, and begin as cores and memory allow")
+                            ->check(CLI::Range(1, 1024));
     CLI::Option* collect =
         c.add_flag("--collect", making.collect,
                    "run nothing: make the report from the runs that are finished, and name the others")

@@ -1,8 +1,8 @@
 #pragma once
-#include "app/commands.h"
+#include "app/arguments/commands.h"
+#include "app/cluster/submit.h"
+#include "app/commands/validate.h"
 #include "app/completion.h"
-#include "app/submit.h"
-#include "app/validate.h"
 
 namespace tw::app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 
-#include "app/output.h"
+#include "app/arguments/output.h"
 #include "meshes/generate.h"
 #include "scene/effects/registry.h"
 

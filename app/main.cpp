@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "app/command_words.h"
-#include "app/output.h"
-#include "app/quiet_waits.h"
+#include "app/arguments/output.h"
 #include "app/subcommands.h"
+#include "app/terminal/command_words.h"
+#include "app/terminal/quiet_waits.h"
 #include "base/errors.h"
 #include "base/in_words.h"
 #include "compare/report/escape.h"

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "app/about.h"
+#include "app/arguments/output.h"
+#include "app/cluster/site.h"
+#include "app/cluster/submit.h"
 #include "app/command_options.h"
-#include "app/output.h"
-#include "app/site.h"
-#include "app/study.h"
-#include "app/submit.h"
+#include "app/study/study.h"
 #include "scene/effects/registry.h"
 #include "spray/read_study.h"
 #include "suite/suite.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/arguments/commands.h"
 
 namespace CLI {
 class App;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/mesh_cells.h"
+#include "scene/mesh/mesh_cells.h"
 
 namespace tw {
 namespace {

@@ -6,9 +6,9 @@
 #include "foam_cases/flavour.h"
 #include "record/hull_motion.h"
 #include "record/run_record.h"
-#include "scene/edge_refinement.h"
-#include "scene/forcing_zones.h"
-#include "scene/mesh_motion.h"
+#include "scene/box/forcing_zones.h"
+#include "scene/mesh/edge_refinement.h"
+#include "scene/mesh/mesh_motion.h"
 #include "scene/scene.h"
 
 namespace tw {

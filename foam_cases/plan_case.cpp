@@ -15,10 +15,10 @@
 #include "foam_cases/viscous_steps.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
+#include "scene/box/tank_walls.h"
 #include "scene/defaults.h"
-#include "scene/mesh_cells.h"
-#include "scene/tank_walls.h"
-#include "scene/water_blocks.h"
+#include "scene/mesh/mesh_cells.h"
+#include "scene/water/water_blocks.h"
 
 namespace tw {
 namespace {

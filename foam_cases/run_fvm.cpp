@@ -28,7 +28,7 @@
 #include "foam_cases/take_up.h"
 #include "foam_cases/write_case.h"
 #include "scene/new_record.h"
-#include "scene/run_end.h"
+#include "scene/run/run_end.h"
 
 namespace tw {
 namespace fs = std::filesystem;

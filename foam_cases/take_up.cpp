@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "scene/run_end.h"
+#include "scene/run/run_end.h"
 
 namespace tw {
 

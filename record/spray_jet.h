@@ -4,7 +4,7 @@
 namespace tw {
 
 /// The jet that a hull throws, and the size of the particles and cells where it leaves the hull. Of a record the numbers
-/// jet_thickness and jet_spacing [m]; what gives the thickness is scene/thin_jet.h.
+/// jet_thickness and jet_spacing [m]; what gives the thickness is scene/solids/thin_jet.h.
 struct SprayJet {
     double thickness = 0, size = 0;  ///< [m]
     double across() const { return thickness / size; }

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/capillary.h"
-#include "scene/quiet_layer.h"
-#include "scene/struck_plate.h"
-#include "scene/water_blocks.h"
+#include "scene/water/capillary.h"
+#include "scene/water/quiet_layer.h"
+#include "scene/water/struck_plate.h"
+#include "scene/water/water_blocks.h"
 
 namespace tw {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "base/gap.h"
 #include "meshes/mass_properties.h"
-#include "scene/walls_met.h"
-#include "scene/water_blocks.h"
+#include "scene/solids/walls_met.h"
+#include "scene/water/water_blocks.h"
 #include "text/plain_number.h"
 
 namespace tw {

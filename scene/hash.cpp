@@ -7,9 +7,9 @@
 
 #include "base/sha256.h"
 #include "methods/methods.h"
-#include "scene/edge_refinement.h"
 #include "scene/effects/registry.h"
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
+#include "scene/mesh/edge_refinement.h"
 
 namespace tw {
 namespace {

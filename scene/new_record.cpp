@@ -10,15 +10,15 @@
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
-#include "scene/box_walls.h"
-#include "scene/capillary.h"
+#include "scene/box/box_walls.h"
 #include "scene/doubtful_input.h"
-#include "scene/dry_floor.h"
 #include "scene/hash.h"
-#include "scene/hull_motion.h"
-#include "scene/particle_levels.h"
+#include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
-#include "scene/thin_jet.h"
+#include "scene/solids/hull_motion.h"
+#include "scene/solids/thin_jet.h"
+#include "scene/water/capillary.h"
+#include "scene/water/dry_floor.h"
 
 namespace tw {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "record/run_record.h"
-#include "scene/run_options.h"
+#include "scene/run/run_options.h"
 #include "scene/scene.h"
 
 namespace tw {

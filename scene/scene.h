@@ -16,7 +16,7 @@
 #include "motion/rigid_body.h"
 #include "record/effect_choice.h"
 #include "record/raster_spec.h"
-#include "scene/elastic_tyre.h"
+#include "scene/elastic/elastic_tyre.h"
 #include "scene/sph_options.h"
 
 namespace tw {
@@ -267,7 +267,7 @@ struct MethodCost {
 };
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
-    /// Of water, in the mean of a run whose water runs into finer zones (scene/particles_of_sizes.h).
+    /// Of water, in the mean of a run whose water runs into finer zones (scene/particles/particles_of_sizes.h).
     double particles = 0;
     double particles_at_start = 0, most_particles = 0;  ///< of water: then, and for which there must be memory
     double wall_particles = 0, air_particles = 0, cells = 0;

@@ -1,6 +1,6 @@
 #pragma once
 #include "record/run_record.h"
-#include "scene/run_options.h"
+#include "scene/run/run_options.h"
 #include "scene/scene.h"
 
 namespace tw {

@@ -5,7 +5,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include "scene/water_grid.h"
+#include "scene/water/water_grid.h"
 
 namespace tw {
 namespace {

@@ -3,7 +3,7 @@
 #
 #   tools/check_docs.sh [--program build/twinwake] [FOLDER]        FOLDER: the checkout (default: this one)
 #
-# In every .md file: relative links and their anchors, and files named in `code`: with a folder (`scene/keys.cpp`) they
+# In every .md file: relative links and their anchors, and files named in `code`: with a folder (`scene/keys/keys.cpp`) they
 # stand there or below the page's own folder, without (`keys.cpp`) anywhere. Capitals and stars mark a placeholder. In
 # sources: paths of headers and pages named in comments. In docs/audit.md: the tests named there. With --program also the
 # commands of the pages: subcommands and long options of `twinwake ...` in its own --help. Pages of docs/decisions and

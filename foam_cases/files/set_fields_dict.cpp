@@ -1,5 +1,5 @@
 #include "foam_cases/files/case_files.h"
-#include "scene/water_blocks.h"
+#include "scene/water/water_blocks.h"
 
 namespace tw {
 namespace {

@@ -1,5 +1,5 @@
 #include "foam_cases/files/case_files.h"
-#include "scene/mesh_cells.h"
+#include "scene/mesh/mesh_cells.h"
 
 namespace tw {
 

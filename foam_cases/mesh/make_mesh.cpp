@@ -10,7 +10,7 @@
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/time_folders.h"
-#include "scene/mesh_cells.h"
+#include "scene/mesh/mesh_cells.h"
 
 namespace tw {
 namespace fs = std::filesystem;

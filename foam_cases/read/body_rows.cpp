@@ -8,8 +8,8 @@
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/step_loads.h"
 #include "record/hull_motion.h"
-#include "scene/hull_motion.h"
 #include "scene/new_record.h"
+#include "scene/solids/hull_motion.h"
 
 namespace tw {
 namespace {

@@ -14,8 +14,8 @@
 #include "record/certificate.h"
 #include "record/raster.h"
 #include "scene/defaults.h"
-#include "scene/friction_line.h"
 #include "scene/new_record.h"
+#include "scene/solids/friction_line.h"
 
 namespace tw {
 namespace fs = std::filesystem;

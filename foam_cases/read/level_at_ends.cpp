@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/forcing_zones.h"
+#include "scene/box/forcing_zones.h"
 
 namespace tw {
 

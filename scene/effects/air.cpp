@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/effects/part.h"
-#include "scene/water_blocks.h"
+#include "scene/water/water_blocks.h"
 
 namespace tw::effect_parts {
 namespace {

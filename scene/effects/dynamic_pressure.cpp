@@ -2,7 +2,7 @@
 
 #include "scene/defaults.h"
 #include "scene/effects/part.h"
-#include "scene/quiet_layer.h"
+#include "scene/water/quiet_layer.h"
 #include "text/plain_number.h"
 
 namespace tw::effect_parts {

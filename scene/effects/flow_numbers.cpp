@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "meshes/below_water.h"
-#include "scene/dry_floor.h"
-#include "scene/water_blocks.h"
+#include "scene/water/dry_floor.h"
+#include "scene/water/water_blocks.h"
 #include "text/plain_number.h"
 
 namespace tw {

@@ -1,8 +1,8 @@
-#include "scene/forcing_zones.h"
+#include "scene/box/forcing_zones.h"
 
 #include <fmt/format.h>
 
-#include "scene/box_walls.h"
+#include "scene/box/box_walls.h"
 #include "scene/effects/part.h"
 
 namespace tw::effect_parts {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/capillary.h"
 #include "scene/effects/part.h"
+#include "scene/water/capillary.h"
 #include "text/plain_number.h"
 
 namespace tw::effect_parts {

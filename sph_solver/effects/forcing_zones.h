@@ -2,14 +2,14 @@
 #include <memory>
 #include <vector>
 
-#include "scene/forcing_zones.h"
+#include "scene/box/forcing_zones.h"
 
 namespace tw {
 
 class Effect;
 
 /// Zones along faces of the domain that draw the velocity towards that of the undisturbed water, so that waves die out
-/// before they meet the face (scene/forcing_zones.h has the equation and its source):
+/// before they meet the face (scene/box/forcing_zones.h has the equation and its source):
 ///
 ///   du/dt += gamma s^2 (u_ref - u),   s from 0 at a zone's beginning to 1 at the face
 ///

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "scene/elastic_plate.h"
+#include "scene/elastic/elastic_plate.h"
 #include "sph_solver/bodies/elastic/elastic_body.h"
 #include "sph_solver/bodies/elastic/interface.h"
 

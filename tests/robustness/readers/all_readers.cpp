@@ -4,13 +4,13 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/budget.h"
-#include "app/machine_pace.h"
-#include "app/member_state.h"
-#include "app/run_told.h"
-#include "app/site.h"
-#include "app/slurm.h"
-#include "app/study.h"
+#include "app/campaign/budget.h"
+#include "app/cluster/site.h"
+#include "app/cluster/slurm.h"
+#include "app/pace/machine_pace.h"
+#include "app/progress/member_state.h"
+#include "app/progress/run_told.h"
+#include "app/study/study.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/reports/read_report.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/machine_pace.h"
+#include "app/pace/machine_pace.h"
 #include "base/atomic_file.h"
 #include "record/this_machine.h"
 

@@ -15,8 +15,8 @@
 
 #include "base/errors.h"
 #include "meshes/generate.h"
-#include "scene/keys.h"
-#include "scene/node.h"
+#include "scene/cost/node.h"
+#include "scene/keys/keys.h"
 #include "test_paths.h"
 #include "tests/unit/scene/every_key.h"
 

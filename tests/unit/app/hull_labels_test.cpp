@@ -1,4 +1,4 @@
-#include "app/hull_labels.h"
+#include "app/campaign/hull_labels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/jobs_by_default.h"
+#include "app/pace/jobs_by_default.h"
 
 #include <gtest/gtest.h>
 

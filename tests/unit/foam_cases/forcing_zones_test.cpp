@@ -9,7 +9,7 @@
 #include "foam_cases/files/case_files.h"
 #include "foam_cases/plan_case.h"
 #include "foam_cases/read/level_at_ends.h"
-#include "scene/mesh_cells.h"
+#include "scene/mesh/mesh_cells.h"
 #include "scenes.h"
 
 namespace tw {

@@ -6,8 +6,8 @@
 #include "meshes/health.h"
 #include "meshes/surface.h"
 #include "scene/hash.h"
-#include "scene/mesh_motion.h"
-#include "scene/walls_met.h"
+#include "scene/mesh/mesh_motion.h"
+#include "scene/solids/walls_met.h"
 #include "scene_text.h"
 
 namespace tw::test {

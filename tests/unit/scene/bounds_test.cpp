@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "record/influence_words.h"
-#include "scene/dry_floor.h"
 #include "scene/effects/registry.h"
 #include "scene/new_record.h"
+#include "scene/water/dry_floor.h"
 #include "scene_text.h"
 
 namespace tw::test {

@@ -1,6 +1,6 @@
 // The box round a hull in a stream: the wider one of a ladder, and what its walls are expected to be worth.
 #include <fmt/format.h>
-#include "scene/box_walls.h"
+#include "scene/box/box_walls.h"
 #include "scene/hash.h"
 
 #include "scene_text.h"

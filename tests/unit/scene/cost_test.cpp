@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "meshes/generate.h"
-#include "scene/node.h"
+#include "scene/cost/node.h"
 #include "scene_text.h"
 #include "test_paths.h"
 

@@ -6,7 +6,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "scene/hash.h"
-#include "scene/mesh_motion.h"
+#include "scene/mesh/mesh_motion.h"
 #include "scene_text.h"
 
 namespace tw::test {

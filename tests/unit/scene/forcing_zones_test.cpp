@@ -1,5 +1,5 @@
 // Zones that absorb waves: where they lie, how wide and strong they are, and in which scenes.
-#include "scene/forcing_zones.h"
+#include "scene/box/forcing_zones.h"
 
 #include <cmath>
 #include <numbers>

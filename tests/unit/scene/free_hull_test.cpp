@@ -6,8 +6,8 @@
 #include "meshes/mass_properties.h"
 #include "record/body_pose.h"
 #include "record/hull_motion.h"
-#include "scene/hull_motion.h"
-#include "scene/mesh_motion.h"
+#include "scene/mesh/mesh_motion.h"
+#include "scene/solids/hull_motion.h"
 #include "scene_text.h"
 
 namespace tw::test {

@@ -1,7 +1,7 @@
 // Friction of a hull by the line for flat plates: when it is on, and how much it is.
 #include <gtest/gtest.h>
 
-#include "scene/friction_line.h"
+#include "scene/solids/friction_line.h"
 #include "scene_text.h"
 
 namespace tw::test {

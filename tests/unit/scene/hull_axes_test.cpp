@@ -1,5 +1,5 @@
 // Surfaces as people have them: halves, other axes, upside down, with the keel at z = 0, in coordinates of a map.
-#include "scene/hull_axes.h"
+#include "scene/solids/hull_axes.h"
 
 #include <algorithm>
 

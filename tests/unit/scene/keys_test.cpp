@@ -1,4 +1,4 @@
-#include "scene/keys.h"
+#include "scene/keys/keys.h"
 
 #include <map>
 #include <set>
@@ -41,9 +41,9 @@ TEST(Keys, EachKeyIsCoveredByTheHashThatTheTableNames) {
 
 TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
     const std::set<std::string> in_none{
-        ".title",         "run.duration", "run.methods",        "run.threads", "run.ranks", "run.device",
-        "run.checkpoint", "fvm.openfoam", "sampling.snapshots", "refine.name", "ply.name",  "gauge.body",
-        "run.stop"},
+        ".title",     "run.duration",   "run.methods",  "run.threads",        "run.ranks",
+        "run.device", "run.checkpoint", "fvm.openfoam", "sampling.snapshots", "refine.name",
+        "ply.name",   "gauge.body",     "run.stop"},
         beginning{"motion.ramp", "hull.release"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;

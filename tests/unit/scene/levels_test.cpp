@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "meshes/query.h"
-#include "scene/cost_of_sizes.h"
 #include "scene/hash.h"
-#include "scene/particle_levels.h"
-#include "scene/particles_of_sizes.h"
+#include "scene/particles/cost_of_sizes.h"
+#include "scene/particles/particle_levels.h"
+#include "scene/particles/particles_of_sizes.h"
 #include "scene/refined_places.h"
-#include "scene/water_blocks.h"
+#include "scene/water/water_blocks.h"
 #include "scene_text.h"
 
 namespace tw::test {

@@ -1,12 +1,12 @@
 // Water that runs into the zones of finer particles: how high it comes to stand, and what a run of it takes.
-#include "scene/running_water.h"
+#include "scene/water/running_water.h"
 
 #include <cmath>
 #include <filesystem>
 
-#include "scene/cost_of_sizes.h"
-#include "scene/particles_of_sizes.h"
-#include "scene/time_left.h"
+#include "scene/cost/time_left.h"
+#include "scene/particles/cost_of_sizes.h"
+#include "scene/particles/particles_of_sizes.h"
 #include "scene_text.h"
 #include "test_paths.h"
 

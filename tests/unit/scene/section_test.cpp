@@ -1,4 +1,4 @@
-#include "scene/scene_section.h"
+#include "scene/read/scene_section.h"
 
 #include "scene_text.h"
 

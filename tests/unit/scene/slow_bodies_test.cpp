@@ -1,8 +1,8 @@
 // What the plan does for slow bodies in viscous water and for drops: the numbers of the particle method that it sets.
 #include <cmath>
 
-#include "scene/capillary.h"
-#include "scene/quiet_layer.h"
+#include "scene/water/capillary.h"
+#include "scene/water/quiet_layer.h"
 #include "scene_text.h"
 
 namespace tw::test {

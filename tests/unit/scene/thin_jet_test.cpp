@@ -1,5 +1,5 @@
 // The jet that a hull throws by thin-jet theory, and what check says of it.
-#include "scene/thin_jet.h"
+#include "scene/solids/thin_jet.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,8 @@
 // What check says of blocks of water, and where a body afloat keeps the particles at one size.
-#include "scene/water_at_start.h"
+#include "scene/water/water_at_start.h"
 
-#include "scene/afloat.h"
-#include "scene/water_blocks.h"
+#include "scene/water/afloat.h"
+#include "scene/water/water_blocks.h"
 #include "scene_text.h"
 
 namespace tw::test {

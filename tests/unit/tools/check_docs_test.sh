@@ -15,7 +15,7 @@ END
 chmod +x "$folder/program"
 echo '// see docs/theory.md' >"$folder/scene/keys.cpp"
 printf '# Theory\n\n## A wave, and `more`\n' >"$folder/docs/theory.md"
-sound='[all](docs/theory.md), [part](docs/theory.md#a-wave-and-more), `scene/keys.cpp`, `keys.cpp`, `twinwake run my.toml --out x`.'
+sound='[all](docs/theory.md), [part](docs/theory.md#a-wave-and-more), `scene/keys/keys.cpp`, `keys.cpp`, `twinwake run my.toml --out x`.'
 
 wrong=0
 # expect LINE OUTPUT: a page with this line makes the check say this; without output, nothing.
@@ -44,5 +44,5 @@ printf '| a wave | `Waves.Grow` |\n' >"$folder/docs/audit.md"
 expect '' 'docs/audit.md: no such test (Waves.Grow)'
 rm "$folder/docs/audit.md"
 echo '// see docs/gone.md' >"$folder/scene/keys.cpp"
-expect '' 'scene/keys.cpp:1: no such file (docs/gone.md)'
+expect '' 'scene/keys/keys.cpp:1: no such file (docs/gone.md)'
 exit $wrong

@@ -1,0 +1,169 @@
+#include "app/campaign/ladder_jobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/runs/solvers.h"
+#include "base/errors.h"
+#include "methods/methods.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr LadderChoice choices[] = {
+    // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
+    {"sph", "sound speed x 1.5", "sound_speed_1.5", [](SceneOverrides& o) { o.sound_speed_factor = 1.5; }, 1.8},
+    // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
+    {"sph", "half the time step", "time_step_0.5", [](SceneOverrides& o) { o.time_step_factor = 0.5; }, 2, 2},
+    {"fvm", "half the Courant number", "courant_0.5", [](SceneOverrides& o) { o.courant_factor = 0.5; }, 2, 2},
+};
+/// What the walls are worth; the share follows from the two boxes (compare/ladder/variation.h).
+constexpr LadderChoice wider_box = {.method = "",
+                                    .name = "box x 1.5",
+                                    .folder = "box_1.5",
+                                    .make = [](SceneOverrides& o) { o.box_factor = 1.5; },
+                                    .share = 1,
+                                    .box = true};
+/// Another model of the same surface: all of the change counts.
+constexpr LadderChoice geometric_surface = {"fvm", "geometric surface", "geometric_surface",
+                                            [](SceneOverrides& o) { o.interface = "isoadvector"; }, 1};
+
+/// Fewer sizes are not filled in: a fourth beside three makes their interval wider (decision 023).
+constexpr int least_filled = 4;
+
+class Planner {
+public:
+    Planner(const LadderSizes& sizes, const fs::path& out) : sizes_(sizes), out_(out) {}
+
+    LadderPlan plan() {
+        std::optional<PlannedRun> coarsest;
+        int allowed = 0;
+        for (int k = sizes_.first; k < sizes_.levels; ++k)
+            if (std::optional<PlannedRun> size = add_size(k)) coarsest = std::move(size), ++allowed;
+        if (sizes_.surface && coarsest) refuse_idle_surface(coarsest->scene);
+        if (sizes_.box && coarsest && sizes_.levels > 1) add_box(*coarsest);
+        for (int k = 1; sizes_.fill && allowed >= least_filled && k + 1 < sizes_.levels; ++k) add_size(k + 0.5);
+        std::ranges::stable_sort(
+            plan_.jobs, {}, [](const LadderJob& j) { return std::pair(j.fills_in, j.run.plan.seconds(j.run.method)); });
+        return std::move(plan_);
+    }
+
+private:
+    SceneOverrides overrides(double k) const {
+        SceneOverrides o = sizes_.request.overrides;
+        o.scale_resolution = o.scale_resolution.value_or(1) * std::pow(sizes_.ratio, k);
+        return o;
+    }
+    PlannedRun planned(const SceneOverrides& o) const {
+        RunRequest request = sizes_.request;
+        request.overrides = o;
+        return plan_run(request);
+    }
+    fs::path folder_of(const PlannedRun& plan) const {
+        return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
+    }
+    void add(PlannedRun plan, const std::string& method, const fs::path& folder, const LadderChoice* choice,
+             bool fills_in = false) {
+        const std::string name =
+            fmt::format("{} at {:g} m{}{}", method_label(method), plan.scene.resolution.near_hull,
+                        choice ? fmt::format(", {}", choice->name) : "", fills_in ? ", between two sizes" : "");
+        plan_.jobs.push_back({{name, method, std::move(plan), folder / method}, choice, fills_in});
+    }
+    void leave_out(const SceneOverrides& o, const std::string& what, const InputError& why) {
+        plan_.left_out.push_back(
+            fmt::format("{} at {:.4g} times the scene's size: left out: {}", what, *o.scale_resolution, why.what()));
+    }
+
+    /// All methods of one size, and the choices if it is theirs; half a number fills in. None: the scene does not allow
+    /// it; what is wrong at its own size is thrown.
+    std::optional<PlannedRun> add_size(double k) {
+        const SceneOverrides o = overrides(k);
+        std::optional<PlannedRun> plan;
+        try {
+            plan = planned(o);
+        } catch (const InputError& e) {
+            if (k == 0) throw;
+            leave_out(o, "run", e);
+            return {};
+        }
+        for (const std::string& method : plan->scene.run.methods) {
+            add(*plan, method, folder_of(*plan), nullptr, k != std::floor(k));
+            if (k != std::max(0, sizes_.levels - 2)) continue;
+            const auto vary = [&](const LadderChoice& choice) {
+                if (choice.method == method) add_choice(o, folder_of(*plan), choice, method);
+            };
+            if (sizes_.variations) std::ranges::for_each(choices, vary);
+            if (sizes_.surface) vary(geometric_surface);
+        }
+        return plan;
+    }
+    void refuse_idle_surface(const Scene& scene) const {
+        if (scene.fvm.captures_geometrically())
+            throw InputError(
+                fmt::format("{}: --surface would run the same once more; expected "
+                            "\"mules\", or no --surface",
+                            scene.place_of("fvm.interface")));
+        if (std::ranges::find(scene.run.methods, geometric_surface.method) == scene.run.methods.end())
+            throw InputError(
+                "--surface: it is a run of the mesh method, which is not asked for; expected --method "
+                "both or fvm, or no --surface");
+    }
+    void add_choice(SceneOverrides o, const fs::path& folder, const LadderChoice& choice, const std::string& method) {
+        try {
+            choice.make(o);
+            add(planned(o), method, folder / choice.folder, &choice);
+        } catch (const InputError& e) { leave_out(o, choice.name, e); }
+    }
+    /// Where the scene is open water: in the method that is expected to take the least time, by the table of one core.
+    /// What runs teach of this machine would choose otherwise after the runs than before them, and --collect, --resume
+    /// and another machine have to find the run that was made.
+    void add_box(const PlannedRun& plan) {
+        const Domain& box = plan.scene.domain;
+        if (!plan.scene.hull || plan.scene.motion.kind != Motion::Kind::stream) return;
+        if (box.dimensions == 2 && !box.floor_ends_the_box) return;  // a channel: its bed and surface are all it has
+        Scene on_one_core = plan.scene;
+        on_one_core.run.threads = 1;
+        const Prediction cost = predict_by_table(on_one_core);
+        const std::string cheaper = *std::ranges::min_element(
+            plan.scene.run.methods, {}, [&](const std::string& method) { return cost.of(method).seconds; });
+        SceneOverrides o = sizes_.request.overrides;
+        o.scale_resolution = plan.scene.resolution.scale;
+        add_choice(o, folder_of(plan), wider_box, cheaper);
+    }
+
+    const LadderSizes& sizes_;
+    const fs::path& out_;
+    LadderPlan plan_;
+};
+
+}  // namespace
+
+LadderPlan plan_ladder(const LadderSizes& sizes, const fs::path& out) { return Planner(sizes, out).plan(); }
+
+std::vector<CampaignRun> runs_of(const std::vector<LadderJob>& jobs) {
+    std::vector<CampaignRun> runs;
+    for (const LadderJob& job : jobs) runs.push_back(job.run);
+    return runs;
+}
+
+bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result) {
+    using State = CampaignResult::State;
+    if (result.state == State::stopped) return false;
+    if (!result.there()) {
+        const bool failed = result.state == State::failed;
+        harvest.left_out.push_back(job.run.name + ": " + (failed ? "failed: " : "") + result.why_not);
+        harvest.any_failed |= failed;
+    } else if (const LadderChoice* c = job.choice) {
+        harvest.variations.push_back({c->name, c->share, ladder_run(std::move(*result.record)), c->steps, c->box});
+    } else {
+        harvest.take(std::move(*result.record), job.run.folder / "record.h5");
+    }
+    return true;
+}
+
+}  // namespace tw::app

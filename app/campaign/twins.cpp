@@ -1,0 +1,118 @@
+#include "app/campaign/twins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "app/arguments/output.h"
+#include "app/runs/solvers.h"
+#include "base/errors.h"
+#include "compare/report/numbers.h"
+#include "methods/methods.h"
+#include "scene/hash.h"
+#include "scene/refined_places.h"
+
+namespace tw::app {
+
+namespace fs = std::filesystem;
+
+LadderSizes sizes_of_twins(RunRequest own) {
+    own.snapshots = false;
+    return {.request = std::move(own), .levels = 3, .ratio = std::numbers::sqrt2, .variations = false};
+}
+
+Twins::Twins(RunRequest own, const fs::path& out) {
+    LadderSizes sizes = sizes_of_twins(std::move(own));
+    sizes.first = 1;
+    plan_ = plan_ladder(sizes, out);
+    harvest_.left_out = plan_.left_out;
+    sizes.request.method = every_method;
+    for (LadderJob& job : plan_ladder(sizes, out).jobs)
+        if (std::ranges::none_of(plan_.jobs, [&](const LadderJob& j) { return j.run.method == job.run.method; }))
+            of_other_methods_.push_back(std::move(job));
+}
+
+std::vector<CampaignRun> Twins::runs() const { return runs_of(plan_.jobs); }
+
+double Twins::seconds() const {
+    double sum = 0;
+    for (const LadderJob& job : plan_.jobs)
+        if (!is_finished(job.run)) sum += job.run.plan.seconds(job.run.method);
+    return sum;
+}
+
+std::string Twins::prediction_text(const Scene& scene, double own) const {
+    const auto boxes = std::ranges::count_if(plan_.jobs, [](const LadderJob& j) { return j.choice != nullptr; });
+    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes;
+    std::string text;
+    if (sizes > 0)
+        text = fmt::format("twins: {} coarser run{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
+                           sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "", about_text(seconds()),
+                           own > 0 ? 100 * seconds() / own : 0);
+    for (const std::string& line : plan_.left_out) text += "! twins: " + line + "\n";
+    const int sizes_here = sizes_of_particles(scene);
+    for (const LadderJob& job : plan_.jobs) {
+        const Scene& twin = job.run.plan.scene;
+        if (elements_of(job.run.method) != "particles" || sizes_of_particles(twin) == sizes_here) continue;
+        text += fmt::format(
+            "! twins: {}: {} size{} of particles ({:.3g}) where the scene's own run has {}: no more have room at this "
+            "spacing; the runs are not similar, and the report says so\n",
+            job.run.name, sizes_of_particles(twin), sizes_of_particles(twin) == 1 ? "" : "s",
+            job.run.plan.prediction.particles, sizes_here);
+    }
+    return text;
+}
+
+void Twins::refuse_others() const {
+    for (const LadderJob& job : plan_.jobs) {
+        const fs::path file = job.run.folder / "record.h5";
+        if (!fs::exists(file)) continue;
+        RunRecord record = read_record(file);
+        if (record.attributes["run_hash"] != run_hash(job.run.plan.scene, job.run.method))
+            throw InputError(
+                fmt::format("{}: there is a run of another scene already; run anew with --overwrite, or "
+                            "choose another folder with --out",
+                            job.run.folder.string()));
+    }
+}
+
+bool Twins::run(Campaign& campaign) {
+    for (const LadderJob& job : plan_.jobs) {
+        try {
+            if (!take(harvest_, job, campaign.run_or_take(job.run))) return false;
+        } catch (const InputError& e) {  // what is only found while a run is set up, such as a hull without particles
+            harvest_.left_out.push_back(job.run.name + ": left out: " + e.what());
+            complain(harvest_.left_out.back());
+        }
+    }
+    return true;
+}
+
+std::optional<Ladder> Twins::ladder(const std::vector<RunRecord>& records, const fs::path& own) {
+    LadderHarvest harvest = harvest_;
+    for (const LadderJob& job : of_other_methods_)
+        if (is_finished(job.run))
+            take(harvest, job, {CampaignResult::State::taken, read_record(job.run.folder / "record.h5"), {}});
+    // of methods whose own run is there and finished: the others' twins say nothing of what is compared
+    LadderHarvest all;
+    all.left_out = harvest.left_out;
+    for (const RunRecord& record : records) {
+        const auto at = record.attributes.find("method");
+        if (record.state != "finished" || at == record.attributes.end()) continue;
+        for (const LadderRun& run : harvest.runs)
+            if (run.method == at->second) all.runs.push_back(run);
+        all.take(record, own / at->second / "record.h5");
+    }
+    if (all.runs.empty()) return {};
+    all.variations = harvest.variations;
+    all.drop_lone_variations();
+    try {
+        return ladder_of(all);
+    } catch (const InputError& e) {  // the runs are there: their comparison is worth a report all the same
+        complain(std::string("twins: no discretisation error: ") + e.what());
+        return {};
+    }
+}
+
+}  // namespace tw::app

@@ -1,0 +1,53 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/campaign/campaign.h"
+#include "app/campaign/ladder_jobs.h"
+#include "suite/suite.h"
+
+namespace tw::app {
+
+/// A run of the coarsest size with one uncertain number of the scene at one end of its interval.
+struct UncertainRun {
+    std::string key;    ///< trim or speed
+    bool upper = true;  ///< else the lower end
+    CampaignRun run;
+};
+
+/// All runs of one scene of a case.
+struct PlannedScene {
+    const SuiteScene* scene = nullptr;
+    std::vector<std::string> methods;  ///< that are run
+    double near_hull = 0;              ///< of the scene's own size [m]
+    LadderPlan plan = {};
+    std::vector<UncertainRun> uncertain = {};
+
+    std::vector<CampaignRun> runs() const;
+};
+
+struct PlannedCase {
+    const SuiteCase* of = nullptr;
+    std::string why_not;  ///< why none of it is run: its tier, its method, a scene that is wrong
+    bool wrong = false;   ///< of these the last
+    std::vector<PlannedScene> scenes;
+};
+
+/// What is asked of a suite's cases.
+struct ValidationRules {
+    std::string tier, method;        ///< the dearest tier; the method, or every_method, or empty: as the case says
+    std::vector<std::string> cases;  ///< names; empty: all
+    int threads = 0;
+    bool elsewhere = false;
+};
+/// A case whose scene is wrong is told and left out: the others are run all the same.
+PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const std::filesystem::path& out);
+
+/// Makes or takes the case's runs and judges what they gave. Nothing: stopped on request.
+std::optional<ValidatedCase> judge_case(const PlannedCase& planned, Campaign& campaign,
+                                        const std::filesystem::path& out);
+
+}  // namespace tw::app

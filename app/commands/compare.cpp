@@ -1,0 +1,149 @@
+#include "compare/compare.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/arguments/output.h"
+#include "app/campaign/write_ladder.h"
+#include "base/errors.h"
+#include "base/folder_lock.h"
+#include "compare/ladder/judge_by_sizes.h"
+#include "compare/reports/two_reports.h"
+#include "methods/methods.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The record files that a name stands for: the file itself, a method's folder, or a run's folder with all its methods
+/// in it.
+std::vector<fs::path> record_files(const fs::path& source) {
+    if (!fs::is_directory(source)) return {source};
+    if (fs::exists(source / "record.h5")) return {source / "record.h5"};
+    std::vector<fs::path> files;
+    for (const std::string& method : method_names())
+        if (fs::exists(source / method / "record.h5")) files.push_back(source / method / "record.h5");
+    if (files.empty())
+        throw InputError(
+            fmt::format("{}: no run record here; expected record.h5, {}/record.h5 (twinwake run leaves them)",
+                        source.string(), fmt::join(method_names(), "/record.h5 or ")));
+    return files;
+}
+
+/// The coarser runs that `twinwake run` left beside a run's records; none where the source is no run's folder.
+std::vector<fs::path> twin_files(const fs::path& source) {
+    std::vector<fs::path> files;
+    const fs::path twins = source / "twins";
+    if (!fs::is_directory(twins) || fs::exists(source / "record.h5")) return files;
+    constexpr int deepest = 3;  // size, a wider box, method: behind it lie cases
+    for (fs::recursive_directory_iterator at(twins), end; at != end; ++at) {
+        if (at->path().filename() == "record.h5") files.push_back(at->path());
+        if (at.depth() >= deepest || at->path().filename() == "case") at.disable_recursion_pending();
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+/// What a run's folder says of the discretisation error, as its own report does; none: nothing in it, or no ladder.
+std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
+    if (command.sources.size() != 1) return {};
+    const std::vector<fs::path> twins = twin_files(command.sources.front());
+    if (twins.empty()) return {};
+    LadderHarvest harvest;
+    for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_record(file), file);
+    for (const fs::path& file : twins) {
+        RunRecord record = read_record(file);
+        if (record.state == "finished") harvest.take(std::move(record), file);
+    }
+    harvest.variations = take_variations(harvest.runs);
+    harvest.drop_lone_variations();
+    try {
+        return ladder_of(harvest);
+    } catch (const InputError& e) {  // the records are there: they are compared all the same
+        complain(std::string("twins: no discretisation error: ") + e.what());
+        return {};
+    }
+}
+
+int compare_ladder(const CompareCommand& command, const Common& common) {
+    if (command.out.empty())
+        throw InputError("compare --ladder: expected --out, a folder for the tables and the report");
+    LadderHarvest harvest;
+    for (const fs::path& source : command.sources)
+        for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
+    harvest.variations = take_variations(harvest.runs);
+    const FolderLock lock(command.out);
+    const Ladder ladder = report_ladder(harvest, measured_records(command.measured), command.out, common);
+    if (!command.require_agree) return done;
+    const std::string others = not_agreeing(ladder);
+    if (others.empty()) return done;
+    complain("--require agree is not met: " + others);
+    return not_agreed;
+}
+
+bool is_report(const fs::path& source) { return source.extension() == ".json"; }
+
+/// Two report.json files: what their runs say otherwise.
+int compare_two_reports(const CompareCommand& command, const Common& common) {
+    if (command.sources.size() != 2 || !std::ranges::all_of(command.sources, is_report))
+        throw InputError(
+            fmt::format("compare: {} is a report, and the command has {} sources; expected two reports (A/report.json "
+                        "B/report.json), or records only",
+                        std::ranges::find_if(command.sources, is_report)->string(), command.sources.size()));
+    for (const auto& [given, option] : {std::pair{!command.out.empty(), "--out"},
+                                        {command.ladder, "--ladder"},
+                                        {!command.measured.empty(), "--measured"},
+                                        {command.force, "--force"},
+                                        {command.require_agree, "--require"}})
+        if (given)
+            throw InputError(
+                fmt::format("compare: {} is for records; two reports are compared on the terminal, and with --json "
+                            "FILE as facts",
+                            option));
+    const TwoReports reports = compare_reports(read_report(command.sources[0]), read_report(command.sources[1]));
+    say(common, text_of(reports));
+    write_json(common, json_of(reports));
+    return done;
+}
+
+}  // namespace
+
+int run_compare(const CompareCommand& command, const Common& common) {
+    if (std::ranges::any_of(command.sources, is_report)) return compare_two_reports(command, common);
+    if (command.ladder) return compare_ladder(command, common);
+    std::vector<RunRecord> records;
+    for (const fs::path& source : command.sources)
+        for (const fs::path& file : record_files(source)) records.push_back(read_record(file));
+    CompareOptions options;
+    options.force = command.force;
+    Comparison comparison = compare_records(std::move(records), options);
+    const std::optional<Ladder> ladder = ladder_of_twins(command);
+    if (ladder) judge_by_sizes(comparison, *ladder);
+    std::string text = summary_text(comparison);
+    std::optional<FolderLock> lock;  // a run may be writing its own report there
+    if (!command.out.empty()) lock.emplace(command.out);
+    if (lock)
+        text += "\nreport: " + leaving_files([&] {
+                                   return write_report(comparison, command.out, ladder ? ladder_html(*ladder) : "");
+                               }).html.string() +
+                "\n";
+    say(common, text);
+    write_json(common, comparison_json(comparison));
+    if (!command.require_agree) return done;
+    if (ladder) {
+        const std::string others = not_agreeing(*ladder);
+        if (others.empty()) return done;
+        complain("--require agree is not met: " + others);
+        return not_agreed;
+    }
+    complain(
+        "--require agree cannot be met by runs of one size: their discretisation error is not estimated. Run the scene "
+        "at several sizes with twinwake ladder, or give the records of such runs to twinwake compare --ladder");
+    return not_agreed;
+}
+
+}  // namespace tw::app

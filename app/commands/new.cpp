@@ -1,0 +1,27 @@
+#include <fmt/format.h>
+
+#include "app/arguments/output.h"
+#include "app/commands/templates.h"
+#include "base/errors.h"
+
+namespace tw::app {
+
+std::vector<std::string> template_names() {
+    std::vector<std::string> names;
+    for (const Template& t : templates()) names.emplace_back(t.name);
+    return names;
+}
+
+int run_new(const NewCommand& command, const Common& common) {
+    if (std::filesystem::exists(command.file) && !command.overwrite)
+        throw InputError(command.file.string() + ": exists already; choose another name, or --overwrite");
+    for (const Template& t : templates()) {
+        if (t.name != command.kind) continue;
+        write_file(command.file, std::string(t.text));
+        say(common,
+            fmt::format("{}: written. Next: twinwake check {}\n", command.file.string(), command.file.string()));
+    }
+    return done;
+}
+
+}  // namespace tw::app

@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/arguments/output.h"
+#include "app/campaign/budget.h"
+#include "app/campaign/campaign.h"
+#include "app/campaign/twins.h"
+#include "app/runs/body_outcome.h"
+#include "app/runs/facts_json.h"
+#include "app/runs/ranks.h"
+#include "app/runs/solvers.h"
+#include "app/study/study.h"
+#include "app/terminal/stop_signal.h"
+#include "base/errors.h"
+#include "base/folder_lock.h"
+#include "compare/compare.h"
+#include "compare/ladder/judge_by_sizes.h"
+#include "compare/report/numbers.h"
+#include "methods/methods.h"
+#include "scene/doubtful_input.h"
+#include "scene/hash.h"
+#include "sph_solver/parallel/comm.h"
+#include "text/plain_number.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In this order, whatever the scene's.
+std::vector<std::string> methods_of(const Scene& scene) {
+    std::vector<std::string> methods;
+    for (const std::string& method : method_names())
+        if (std::ranges::find(scene.run.methods, method) != scene.run.methods.end()) methods.push_back(method);
+    return methods;
+}
+
+/// When a file was written last; of one that is not there the clock's first moment.
+fs::file_time_type written(const fs::path& file) {
+    std::error_code none;
+    const fs::file_time_type time = fs::last_write_time(file, none);
+    return none ? fs::file_time_type::min() : time;
+}
+
+/// A folder that holds a run is refused before another method spends an hour.
+void refuse_taken(const fs::path& folder, const std::string& method, const RunCommand& command) {
+    if (command.making.collect) return;
+    const bool taken = fs::exists(folder / "record.h5") || fs::exists(folder / solver_of(method).state);
+    if (taken && !command.resume && !command.overwrite)
+        throw InputError(
+            fmt::format("{}: there is a run already; continue it with --resume, run anew with --overwrite, or choose "
+                        "another folder with --out",
+                        folder.string()));
+}
+
+/// "SPH: 45600 particles, about 2 min": of the methods that will run.
+std::string prediction_text(const PlannedRun& plan) {
+    std::string text;
+    for (const std::string& method : methods_of(plan.scene)) {
+        const MethodCost& cost = plan.prediction.of(method);
+        text += fmt::format("{}: {} {}, {}{}\n", method_label(method), plain_number(cost.elements), elements_of(method),
+                            plan.scene.run.stops_when_settled() ? "at most " : "", about_text(cost.seconds));
+    }
+    return text;
+}
+
+/// What --budget chooses, or chose when the run was begun; none: it is not given.
+std::optional<PaidSizes> paid_sizes(const RunCommand& command, const RunRequest& own, const fs::path& out) {
+    if (command.budget.empty()) return {};
+    const double budget = budget_seconds(command.budget);
+    std::optional<PaidSizes> sizes;
+    if (!command.overwrite) sizes = remembered_sizes(out, budget);
+    if (sizes) return sizes;
+    LadderSizes family = sizes_of_twins(own);
+    if (!command.twins) family.levels = 1;
+    return sizes_for_budget(family, budget);
+}
+
+std::string budget_text(const PaidSizes& paid, double budget) {
+    return fmt::format("budget of {}: near_hull = {} m, {} times the scene's size, with all runs {}\n",
+                       time_text(budget), plain_number(paid.near_hull), plain_number(paid.scale),
+                       about_text(paid.seconds));
+}
+
+/// What lies in the run's folder of this very scene: another scene's record beside it would mislead.
+std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const Common& common) {
+    std::vector<RunRecord> records;
+    const std::vector<std::string> now = methods_of(scene);
+    for (const std::string& method : method_names()) {
+        const fs::path file = out / method / "record.h5";
+        if (!fs::exists(file)) continue;
+        RunRecord record = read_record(file);
+        const bool run_now = std::ranges::find(now, method) != now.end();
+        if (run_now ? record.attributes["run_hash"] == run_hash(scene, method)
+                    : record.attributes["scene_hash"] == scene.hash)
+            records.push_back(std::move(record));
+        else
+            say(common, fmt::format("{}: of another scene than this run, left out of the report\n", file.string()));
+    }
+    return records;
+}
+
+/// The exit status of --require agree.
+int required_agreement(const std::optional<Ladder>& ladder) {
+    const std::string others = ladder ? not_agreeing(*ladder) : "without twins there is no discretisation error";
+    if (others.empty()) return done;
+    complain("--require agree is not met: " + others);
+    return not_agreed;
+}
+
+struct Made {
+    std::vector<RunFacts> runs;
+    bool failed = false;
+};
+
+/// Compares what lies in the run's folder and writes the report; gives the exit status. `twins`: null: there are none.
+int report(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out,
+           const Made& made, Twins* twins) {
+    const Scene& scene = plan.scene;
+    std::vector<RunRecord> records = records_of(scene, out, common);
+    if (records.empty()) {
+        write_json(common, runs_json(made.runs));
+        return made.failed ? run_failed : done;
+    }
+    const std::optional<Ladder> ladder = twins ? twins->ladder(records, out) : std::nullopt;
+    Comparison comparison = compare_records(std::move(records));
+    if (ladder) {
+        judge_by_sizes(comparison, *ladder);
+        write_tables(*ladder, out);
+    }
+    const ReportFiles files =
+        leaving_files([&] { return write_report(comparison, out, ladder ? ladder_html(*ladder) : ""); });
+    say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
+    write_json(common, run_json(comparison, made.runs, ladder ? &*ladder : nullptr));
+    if (made.failed) return run_failed;
+    return command.require_agree ? required_agreement(ladder) : done;
+}
+
+/// One run of the particles that all processes make together. The first one speaks and writes.
+int run_together(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out) {
+    const Comm& ranks = Comm::world();
+    refuse_unshared(plan, command);
+    const fs::path folder = out / "sph";
+    std::optional<FolderLock> lock;
+    ranks.on_first([&] { lock.emplace(out); });
+    ranks.together([&] { refuse_taken(folder, "sph", command); });
+    Common own = common;
+    if (!ranks.first()) own.quiet = true, own.json.clear();
+    say(own, fmt::format("{}\n{}{}{} ranks, results in {}\n", plan.scene.title, warnings_text(plan.scene),
+                         prediction_text(plan), ranks.size(), out.string()));
+    catch_stop_signals();
+    const RunRecord record = run_method("sph", plan, {folder, command.resume, command.overwrite}, own);
+    const RunFacts facts = facts_of("sph", record, folder);
+    say(own, method_label("sph") + ": " + closing_line(facts));
+    if (record.state != "finished") return run_failed;
+    return ranks.first() ? report(plan, command, own, out, {{facts}, false}, nullptr) : static_cast<int>(done);
+}
+
+}  // namespace
+
+int run_run(const RunCommand& command, const Common& common) {
+    const fs::path out = command.out.empty() ? fs::path("runs") / command.scene.file.stem() : command.out;
+    RunRequest request{.file = command.scene.file,
+                       .overrides = command.scene.overrides(),
+                       .method = command.method,
+                       .threads = command.threads,
+                       .elsewhere = command.making.elsewhere()};
+    const std::optional<PaidSizes> paid = paid_sizes(command, request, out);
+    if (paid) request.overrides.scale_resolution = paid->scale;
+    const Comm& started = Comm::world();
+    request.ranks = started.many() ? started.size() : command.ranks;
+    const PlannedRun plan = plan_run(request);
+    const Scene& scene = plan.scene;
+    const std::vector<std::string> methods = methods_of(scene);
+
+    if (started.many()) return run_together(plan, command, common, out);
+    if (scene.run.ranks > 1 && !command.making.collect) {
+        refuse_unshared(plan, command);
+        if (!command.making.hand_over && !command.twins && methods.size() == 1) {
+            refuse_taken(out / "sph", "sph", command);
+            return run_on_ranks(scene.run.ranks, [&, before = written(out / "sph/record.h5")] {
+                const bool anew = written(out / "sph/record.h5") != before;
+                return (command.resume || anew) && is_finished({method_label("sph"), "sph", plan, out / "sph"});
+            });
+        }
+    }
+    for (const std::string& method : methods) refuse_taken(out / method, method, command);
+    std::optional<Twins> twins;
+    request.ranks = scene.run.ranks;
+    if (command.twins) twins.emplace(request, out / "twins");
+    if (twins && !command.overwrite) twins->refuse_others();
+    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene, &plan.prediction));
+    double own = 0;
+    for (const std::string& method : methods) own += plan.seconds(method);
+    say(common, fmt::format("{}\n{}{}{}{}results in {}\n", scene.title, warnings_text(scene),
+                            paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
+                            twins ? twins->prediction_text(scene, own) : "", out.string()));
+
+    const FolderLock lock(out);
+    if (paid) remember(*paid, budget_seconds(command.budget), out);
+    CampaignRules rules = rules_of(command.making, out);
+    rules.overwrite = command.overwrite, rules.take_finished = !command.overwrite;
+    Campaign campaign(common, rules);
+    const Study study{out, common.words, rules.overwrite, rules.take_finished};
+    std::vector<CampaignRun> all = twins ? twins->runs() : std::vector<CampaignRun>{};
+    for (const std::string& method : methods) all.push_back({method_label(method), method, plan, out / method});
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
+
+    catch_stop_signals();
+    campaign.ahead(study, all);
+    std::vector<RunFacts> runs;
+    const auto stopped = [&](const std::string& what) {
+        complain(what + ": stopped on request; continue it with --resume");
+        write_json(common, runs_json(runs));
+        return run_failed;
+    };
+    if (twins && !twins->run(campaign)) return stopped("twins");
+    bool failed = false;
+    for (const std::string& method : methods) {
+        const CampaignResult result = campaign.run_or_take({method_label(method), method, plan, out / method});
+        failed |= result.state == CampaignResult::State::failed;  // the other methods run all the same
+        if (result.record) {
+            runs.push_back(facts_of(method, *result.record, out / method));
+            say(common, outcome_of_bodies(scene, *result.record));
+        }
+        if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
+    }
+    failed |= campaign.any_failed();  // a twin
+
+    return report(plan, command, common, out, {std::move(runs), failed}, twins ? &*twins : nullptr);
+}
+
+}  // namespace tw::app

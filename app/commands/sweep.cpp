@@ -1,0 +1,205 @@
+#include "compare/sweep/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/arguments/output.h"
+#include "app/campaign/campaign.h"
+#include "app/campaign/hull_labels.h"
+#include "app/campaign/twins.h"
+#include "app/runs/ranks.h"
+#include "app/runs/solvers.h"
+#include "app/study/study.h"
+#include "app/terminal/stop_signal.h"
+#include "base/errors.h"
+#include "base/folder_lock.h"
+#include "compare/ladder/judge_by_sizes.h"
+#include "methods/methods.h"
+
+namespace tw::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One scene of the set: the scene file with another hull, speed and trim.
+struct SweptHull {
+    std::string name, folder;
+    std::string series;  ///< the name without the speed
+    SceneOverrides overrides;
+    std::optional<PlannedRun> plan = {};
+    std::string why_not = {};  ///< what is wrong with this scene
+};
+
+/// Letters, digits, points and dashes of a name; the rest becomes a dash.
+std::string plain(std::string name) {
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.') c = '-';
+    return name;
+}
+
+/// Every hull at every speed and trim; a list that is not given stands for the scene's own.
+std::vector<SweptHull> variants_of(const SweepCommand& command) {
+    const std::vector<fs::path> hulls = command.hulls.empty() ? std::vector<fs::path>{{}} : command.hulls;
+    const std::vector<std::string> speeds = command.speeds.empty() ? std::vector<std::string>{""} : command.speeds,
+                                   trims = command.trims.empty() ? std::vector<std::string>{""} : command.trims;
+    const std::vector<std::string> labels = hull_labels(hulls);
+    std::vector<SweptHull> variants;
+    for (std::size_t h = 0; h < hulls.size(); ++h)
+        for (const std::string& speed : speeds)
+            for (const std::string& trim : trims) {
+                SceneArguments scene = command.scene;
+                scene.hull = hulls[h], scene.speed = speed, scene.trim = trim;
+                const auto joined = [](std::initializer_list<std::string> parts) {
+                    std::string name;
+                    for (const std::string& part : parts)
+                        if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
+                    return name;
+                };
+                const std::string at_trim = trim.empty() ? "" : "trim " + trim;
+                std::string name = joined({labels[h], speed, at_trim});
+                if (name.empty()) name = command.scene.file.stem().string();
+                std::string folder = plain(name);  // a run that is there is found again when the lists grow
+                while (std::ranges::find(variants, folder, &SweptHull::folder) != variants.end()) folder += "_2";
+                variants.push_back({name, folder, joined({labels[h], at_trim}), scene.overrides()});
+            }
+    return variants;
+}
+
+RunRequest request_of(const SweptHull& variant, const SweepCommand& command) {
+    return {.file = command.scene.file,
+            .overrides = variant.overrides,
+            .method = every_method,
+            .threads = command.threads,
+            .elsewhere = command.making.elsewhere()};
+}
+
+void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
+    for (SweptHull& v : variants) try {
+            v.plan = plan_run(request_of(v, command));
+        } catch (const InputError& e) {
+            v.why_not = e.what();
+            complain(v.name + ": " + v.why_not);
+        }
+}
+
+Twins twins_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
+    return {request_of(variant, command), out / variant.folder / "twins"};
+}
+
+CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs::path& out) {
+    return {variant.name + ": " + method_label(method), method, *variant.plan, out / variant.folder / method};
+}
+
+/// All that will be run as long as no twins fail.
+std::vector<CampaignRun> runs_of(const std::vector<SweptHull>& variants, const fs::path& out,
+                                 const SweepCommand& command) {
+    std::vector<CampaignRun> runs;
+    std::string twins = command.twins;
+    for (const SweptHull& v : variants) {
+        if (!v.plan) continue;
+        if (twins != "none")
+            for (CampaignRun& twin : twins_of(v, out, command).runs()) {
+                twin.name = v.name + ": " + twin.name;
+                runs.push_back(std::move(twin));
+            }
+        if (twins == "first") twins = "none";
+        for (const std::string& method : v.plan->scene.run.methods) runs.push_back(run_of(v, method, out));
+    }
+    return runs;
+}
+
+/// Which scenes run twins, and what they have told so far.
+struct Errors {
+    std::string twins;  ///< first, all, none
+    RelativeErrors first = {};
+    bool wanted() const { return twins == "all" || (twins == "first" && first.scene.empty()); }
+};
+
+/// All methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
+/// wrong with this scene goes into the member; the others are run all the same.
+bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand& command, Campaign& campaign,
+               Errors& errors, SweepMember& member) {
+    member.why_not = variant.why_not;
+    if (!variant.plan) return true;
+    const fs::path folder = out / variant.folder;
+    try {
+        std::optional<Twins> twins;
+        if (errors.wanted()) twins = twins_of(variant, out, command);
+        if (twins && !twins->run(campaign)) return false;
+        std::vector<RunRecord> records;
+        for (const std::string& method : variant.plan->scene.run.methods) {
+            CampaignResult result = campaign.run_or_take(run_of(variant, method, out));
+            if (result.state == CampaignResult::State::stopped) return false;
+            if (!result.there()) {
+                member.why_not = method + ": " + result.why_not;
+                return true;
+            }
+            records.push_back(std::move(*result.record));
+        }
+        const std::optional<Ladder> ladder = twins ? twins->ladder(records, folder) : std::nullopt;
+        Comparison comparison = compare_records(std::move(records));
+        if (ladder) {
+            judge_by_sizes(comparison, *ladder);
+            write_tables(*ladder, folder);
+            if (!comparison.discretisation_from.empty()) errors.first = relative_errors(*ladder, variant.name);
+        } else if (errors.twins == "first") {
+            judge_by_errors_of(comparison, errors.first);
+        }
+        leaving_files([&] { return write_report(comparison, folder, ladder ? ladder_html(*ladder) : ""); });
+        member.report = variant.folder + "/report.html";
+        member.methods = comparison.names;
+        member.quantities = comparison.quantities;
+        member.discretisation_from = comparison.discretisation_from;
+        member.series = variant.series;
+        if (const auto& numbers = comparison.sources.front().numbers; numbers.contains("speed"))
+            member.speed = numbers.at("speed");
+    } catch (const InputError& e) {
+        member.why_not = e.what();
+        complain(variant.name + ": " + member.why_not);
+    }
+    return true;
+}
+
+}  // namespace
+
+int run_sweep(const SweepCommand& command, const Common& common) {
+    const fs::path out =
+        command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
+    std::vector<SweptHull> variants = variants_of(command);
+    plan_all(variants, command);
+    if (const std::optional<PlannedRun>& first = variants.front().plan) say(common, unused_ranks(first->scene));
+    const FolderLock lock(out);
+    CampaignRules rules = rules_of(command.making, out);
+    rules.overwrite = command.overwrite;
+    Campaign campaign(common, rules);
+    const Study study{out, common.words, rules.overwrite, rules.take_finished};
+    const std::vector<CampaignRun> all = runs_of(variants, out, command);
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
+    if (!command.making.collect) say(common, ready_text(method_names(), {}));
+    catch_stop_signals();
+    campaign.ahead(study, all);
+    std::vector<SweepMember> members;
+    Errors errors{command.twins};
+    for (const SweptHull& variant : variants) {
+        SweepMember& member = members.emplace_back();
+        member.name = variant.name;
+        if (!run_swept(variant, out, command, campaign, errors, member)) {
+            complain("sweep: stopped on request; the same command continues from here");
+            return run_failed;
+        }
+    }
+    const bool all_failed = std::ranges::none_of(members, [](const SweepMember& m) { return m.why_not.empty(); });
+    const Sweep sweep = build_sweep(command.scene.file.stem().string() + ": a set of scenes", std::move(members));
+    make_folder(out);
+    write_file(out / "sweep.md", sweep_text(sweep));
+    write_file(out / "sweep.json", sweep_json(sweep));
+    write_file(out / "sweep.csv", sweep_csv(sweep));
+    write_file(out / "sweep.html", sweep_html(sweep));
+    say(common, "\n" + sweep_text(sweep) + "\nreport: " + (out / "sweep.html").string() + "\n");
+    write_json(common, sweep_json(sweep));
+    return all_failed || campaign.any_failed() ? run_failed : done;
+}
+
+}  // namespace tw::app

@@ -1,0 +1,190 @@
+#include "scene/box/forcing_zones.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "scene/box/box_walls.h"
+#include "scene/water/water_blocks.h"
+
+namespace tw {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double ahead_of_wave = 1, behind_of_wave = 1.5, side_of_wave = 0.5;  ///< widths over lambda
+constexpr double fewest_spacings = 8;  ///< of the largest size, in which a blending is still resolved
+
+/// From the bottom of the box to still water, as asked for: the same at every resolution.
+double depth_of(const Scene& scene) { return -scene.domain.as_asked.min.z(); }
+
+double largest_size(const Scene& scene) {
+    return std::max(scene.resolution.spacing, std::ldexp(scene.resolution.near_hull, scene.sph.levels - 1));
+}
+
+/// The narrowest zone, and the shortest wave that one is made for [m].
+double shortest_wave(const Scene& scene) { return fewest_spacings * largest_size(scene); }
+
+bool has_open_sides(const Scene& scene) {
+    return scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "open";
+}
+
+/// The wave for which a stream's zones are made; above the critical speed, where they are there on demand only, that of
+/// deep water.
+double wave_of_stream(const Scene& scene, double gravity) {
+    const double U = scene.motion.speed;
+    return standing_wave_length(U, gravity, depth_of(scene)).value_or(2 * pi * U * U / gravity);
+}
+
+constexpr double longest_of_hull = 1.5;  ///< wave over hull length, of length Froude number 0.49
+
+/// The longest wave for which zones are not too large beside the box [m]; in two dimensions they cost little.
+double longest_wave(const Scene& scene) {
+    if (!scene.hull) return 0.5 * scene.domain.as_asked.size().x();
+    return scene.hull->section ? INFINITY : longest_of_hull * scene.hull->length;
+}
+
+std::string why_in_stream(const Scene& scene, double wave) {
+    const double U = scene.motion.speed, g = scene.water.gravity, h = depth_of(scene);
+    std::string why = standing_wave_length(U, g, h)
+                          ? fmt::format("a wave of {:.3g} m stands in this stream (Froude number of depth {:.2f})",
+                                        wave, U / std::sqrt(g * h))
+                          : fmt::format(
+                                "no wave stands in this stream (Froude number of depth {:.2f}); they are as "
+                                "asked for, for the {:.3g} m of deep water",
+                                U / std::sqrt(g * h), wave);
+    if (const double most = longest_wave(scene); wave > most)
+        why +=
+            fmt::format("; they are as wide as for {:.3g} m, {}", most,
+                        scene.hull ? fmt::format("{:g} hull lengths", longest_of_hull) : "half the channel's length");
+    if (const double least = shortest_wave(scene); wave < least)
+        why += fmt::format("; they are made for {:.3g} m, {:g} of the largest spacings", least, fewest_spacings);
+    if (scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "walls")
+        why += "; the sides are walls, as [domain] sides says";
+    return why;
+}
+
+ForcingZones zones_of_stream(const Scene& scene) {
+    ForcingZones plan;
+    const double U = scene.motion.speed, g = scene.water.gravity;
+    plan.wave_length = wave_of_stream(scene, g);
+    // shorter waves than this the sizes do not carry; a zone as strong as for them would be a wall to longer ones
+    plan.frequency = std::min(g / U, std::sqrt(2 * pi * g / shortest_wave(scene)));
+    plan.speed = U;
+    plan.why = why_in_stream(scene, plan.wave_length);
+    const Domain& d = scene.domain;
+    for (int axis = 0; axis < 2; ++axis)
+        for (const bool high : {false, true}) {
+            const double begin = (high ? d.undamped.max : d.undamped.min)[axis],
+                         end = (high ? d.box.max : d.box.min)[axis];
+            if (begin != end) plan.zones.push_back({axis, high, begin, end, plan.frequency});
+        }
+    return plan;
+}
+
+/// k of omega^2 = g k tanh(k h) by Newton's steps from above: the function is convex there.
+double wave_number(double omega, double gravity, double depth) {
+    const double k0 = omega * omega / gravity;
+    double k = std::max(k0, omega / std::sqrt(gravity * depth));
+    for (int step = 0; step < 50; ++step) {
+        const double t = std::tanh(k * depth), f = k * t - k0, slope = t + k * depth * (1 - t * t);
+        k -= f / slope;
+        if (std::abs(f) < 1e-12 * k0) break;
+    }
+    return k;
+}
+
+/// Of the bodies that oscillate as prescribed the longest period [s]; 0: none does.
+double longest_period(const Scene& scene) {
+    double longest = 0;
+    for (const MovingBody& b : scene.bodies)
+        if (b.motion.law && b.motion.law->kind == MotionLaw::Kind::sinusoid)
+            longest = std::max(longest, b.motion.law->period);
+    return longest;
+}
+
+/// From a wall of the tank to the nearest prescribed body [m].
+double clear_of_bodies(const Scene& scene, int axis, bool high) {
+    double clear = INFINITY;
+    for (const MovingBody& b : scene.bodies) {
+        if (!b.motion.law) continue;
+        const Box at = b.surface.bounds();
+        const double swing = b.motion.law->turns ? 0 : std::abs(b.motion.law->axis[axis]) * b.motion.law->amplitude;
+        clear = std::min(clear, high ? scene.domain.box.max[axis] - at.max[axis] - swing
+                                     : at.min[axis] - swing - scene.domain.box.min[axis]);
+    }
+    return std::max(0.0, clear);
+}
+
+ForcingZones zones_of_tank(const Scene& scene) {
+    ForcingZones plan;
+    const Domain& d = scene.domain;
+    const double g = scene.water.gravity, h = water_height(scene), period = longest_period(scene);
+    if (scene.zones.wave_length > 0) {
+        plan.wave_length = scene.zones.wave_length;
+        plan.why = fmt::format("waves of {:.3g} m, as [tank] wave_length says", plan.wave_length);
+    } else if (period > 0) {
+        plan.wave_length = 2 * pi / wave_number(2 * pi / period, g, h);
+        plan.why = fmt::format("waves of {:.3g} s, as a body oscillates, are {:.3g} m long in water {:.3g} m deep",
+                               period, plan.wave_length, h);
+    } else {
+        plan.wave_length = d.box.size().x() / 8;
+        plan.why =
+            fmt::format("no body oscillates, so for waves of an eighth of the tank, {:.3g} m ([tank] wave_length)",
+                        plan.wave_length);
+    }
+    const double k = 2 * pi / plan.wave_length, depth_term = std::tanh(k * h);
+    plan.frequency = std::sqrt(g * k * depth_term);
+    for (int axis = 0; axis < 2; ++axis)
+        for (const bool high : {false, true}) {
+            const Side side = axis == 0 ? (high ? d.x_max : d.x_min) : (high ? d.y_max : d.y_min);
+            const std::string wall = fmt::format("{}_{}", "xy"[axis], high ? "max" : "min");
+            const std::string& named = scene.zones.absorbing;
+            if (side == Side::symmetry || (named != "all" && named != wall && named != wall.substr(0, 1))) continue;
+            const double room = std::min(d.box.size()[axis] / 2, clear_of_bodies(scene, axis, high)),
+                         width = std::min(plan.wave_length, room), of_wave = width / plan.wave_length;
+            if (!(width > 0)) continue;
+            if (width < plan.wave_length) plan.why += fmt::format("; {} has room for {:.3g} m of them", wall, width);
+            const double end = (high ? d.box.max : d.box.min)[axis];
+            plan.zones.push_back({axis, high, high ? end - width : end + width, end,
+                                  1.5 * plan.frequency / std::sqrt(depth_term) * std::max(1.0, 0.6 / of_wave)});
+        }
+    return plan;
+}
+
+}  // namespace
+
+std::optional<double> standing_wave_length(double speed, double gravity, double depth) {
+    const double F2 = speed * speed / (gravity * depth);
+    if (!(F2 < 1) || !(speed > 0)) return {};
+    // F^2 = tanh(x) / x, x = k h: decreasing in x
+    double low = 0, high = 1 / F2;
+    for (int step = 0; step < 200 && high - low > 1e-14 * high; ++step) {
+        const double x = std::midpoint(low, high);
+        (std::tanh(x) > F2 * x ? low : high) = x;
+    }
+    return 2 * pi * depth / high;
+}
+
+bool has_zones_by_default(const Scene& scene, double gravity) {
+    return scene.motion.kind == Motion::Kind::stream && gravity > 0 && !(scene.hull && planes(scene)) &&
+           standing_wave_length(scene.motion.speed, gravity, depth_of(scene));
+}
+
+ZoneReach zone_reach(const Scene& scene, double gravity) {
+    const double wave = std::min(wave_of_stream(scene, gravity), longest_wave(scene)), size = largest_size(scene);
+    const auto width = [&](double of_wave) {
+        return std::ceil(std::max(of_wave * wave / size, fewest_spacings) - 1e-6) * size;
+    };
+    return {width(ahead_of_wave), width(behind_of_wave), has_open_sides(scene) ? width(side_of_wave) : 0};
+}
+
+ForcingZones forcing_zones(const Scene& scene) {
+    if (!scene.effect_on("forcing_zones")) return {};
+    return scene.motion.kind == Motion::Kind::stream ? zones_of_stream(scene) : zones_of_tank(scene);
+}
+
+}  // namespace tw
