@@ -172,7 +172,7 @@ private:
             return std::clamp(static_cast<int>(cells / cells_per_rank), 1, std::max(1, cores));
         };
         const MeshOutcome made = make_mesh(
-            plan_, programs, ranks, [&](Child&) { return stop_asked(); },
+            plan_, programs, ranks, [&](ChildProcess&) { return stop_asked(); },
             [&](const std::string& program) { tell(0, wall_clock() - began, 0, 0, "meshing: " + program); });
         record_.phases.clear();
         phase("meshing") = {"meshing", wall_clock() - began, made.cpu};

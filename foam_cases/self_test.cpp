@@ -177,7 +177,7 @@ void flow_through_pipe(OpenFoam& candidate) {
         // A solver that hangs is no sound one. It takes a fifth of a second; a container or a busy machine takes longer.
         constexpr double most = 120;  // [s]
         const double until = wall_clock() + most;
-        const Watch patience = [&](Child&) { return wall_clock() > until; };
+        const Watch patience = [&](ChildProcess&) { return wall_clock() > until; };
         const bool done = programs.run("blockMesh", {}, patience).ok() &&
                           programs.run(candidate.solver, flavour.solver_arguments(), patience, "solver").ok();
         if (!done) throw RunError(fmt::format("it did not end within {:g} s", most));

@@ -57,7 +57,7 @@ private:
     struct Running {
         std::size_t number;
         int cores;
-        std::unique_ptr<Child> child;
+        std::unique_ptr<ChildProcess> child;
     };
 
     /// Starts the longest of those that wait, if there is room for it.
@@ -91,9 +91,10 @@ private:
         const Member& m = study_.members[k];
         if (m.request.threads == 0 && (one_core_each_ || solver_of(m.method).elements_per_rank == 0))
             words.insert(words.end(), {"--threads", std::to_string(cores / m.request.ranks)});
-        running_.push_back({k, cores,
-                            std::make_unique<Child>(Command{fs::read_symlink("/proc/self/exe"), words},
-                                                    environment_here(), fs::current_path(), log_file(study_.out, k))});
+        running_.push_back(
+            {k, cores,
+             std::make_unique<ChildProcess>(Command{fs::read_symlink("/proc/self/exe"), words}, environment_here(),
+                                            fs::current_path(), log_file(study_.out, k))});
     }
 
     bool has_ended(Running& r) {

@@ -50,7 +50,7 @@ SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>
     static int number = 0;
     const fs::path said =
         fs::temp_directory_path() / fmt::format("twinwake_{}_{}_{}", ::getuid(), ::getpid(), ++number);
-    Child child({found, arguments}, environment_here(), fs::current_path(), said);
+    ChildProcess child({found, arguments}, environment_here(), fs::current_path(), said);
     const Ended ended = child.wait();
     SlurmAnswer answer{ended.status, read_text(said)};
     fs::remove(said);

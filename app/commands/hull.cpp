@@ -15,7 +15,7 @@
 namespace tw::app {
 namespace {
 
-HullFacts facts_of(const std::string& source, const Surface& surface, double particle_spacing) {
+HullFacts hull_facts(const std::string& source, const Surface& surface, double particle_spacing) {
     HullFacts f;
     f.source = source;
     f.points = surface.points.size();
@@ -117,7 +117,7 @@ int run_hull(const HullCommand& command, const Common& common) {
         repairs = std::move(repaired.done);
     }
     HullFacts facts =
-        facts_of(command.action == "make" ? command.shape : command.in.string(), surface, command.particle_spacing);
+        hull_facts(command.action == "make" ? command.shape : command.in.string(), surface, command.particle_spacing);
     facts.repairs = repairs;
     if (facts.usable) std::ranges::copy(check_axes(surface), std::back_inserter(notes));
     facts.findings.insert(facts.findings.end(), notes.begin(), notes.end());

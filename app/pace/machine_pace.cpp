@@ -41,7 +41,7 @@ Json read_paces() {
 std::string calibration(const std::string& method) { return method.empty() ? "bench" : "bench of " + method; }
 
 /// Paces of this machine under a key, one or a list; what is no pace of any machine, a GPU's included, is left out.
-std::vector<double> numbers(const Json& paces, const std::string& key) {
+std::vector<double> paces_listed(const Json& paces, const std::string& key) {
     std::vector<double> found;
     const auto take = [&](const Json& r) {
         if (const double v = r.get<double>(); v > 1e-5 && v < 100) found.push_back(v);
@@ -57,9 +57,9 @@ std::vector<double> numbers(const Json& paces, const std::string& key) {
 }
 
 double median(const Json& paces, const std::string& method) {
-    std::vector<double> ratios = numbers(paces, method);
+    std::vector<double> ratios = paces_listed(paces, method);
     for (const std::string& of : {calibration(method), calibration("")})
-        if (ratios.empty()) ratios = numbers(paces, of);
+        if (ratios.empty()) ratios = paces_listed(paces, of);
     if (ratios.empty()) return 1;
     std::ranges::sort(ratios);
     return 0.5 * (ratios[(ratios.size() - 1) / 2] + ratios[ratios.size() / 2]);
@@ -86,7 +86,7 @@ double machine_pace(const std::string& method) { return median(read_paces(), met
 
 bool knows_pace(const std::string& method) {
     const Json paces = read_paces();
-    return !numbers(paces, method).empty() || !numbers(paces, calibration(method)).empty();
+    return !paces_listed(paces, method).empty() || !paces_listed(paces, calibration(method)).empty();
 }
 
 void remember_calibration(const std::string& method, double pace) {
@@ -98,7 +98,7 @@ void learn_pace(const std::string& method, double expected, double taken, bool a
     const double pace = taken / expected;
     // Other programs and a run's first seconds make it slower, and nothing makes it faster than the machine is.
     const Json paces = read_paces();
-    const bool known = knows_pace(method) || !numbers(paces, calibration("")).empty();
+    const bool known = knows_pace(method) || !paces_listed(paces, calibration("")).empty();
     const bool faster = known && pace < median(paces, method);
     if (!faster && (!alone || !(taken > shortest))) return;
     change([&](Json& of_machine) {

@@ -13,7 +13,7 @@ namespace tw::app {
 namespace {
 
 /// As people write it; rounding about 0 is 0.
-std::string in_words(double value) { return plain_number(std::abs(value) < 1e-9 ? 0 : value, 4); }
+std::string number_in_words(double value) { return plain_number(std::abs(value) < 1e-9 ? 0 : value, 4); }
 
 /// The largest of each gauge and of the frame's acceleration, and what the interface made of the energy.
 std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Scene& scene) {
@@ -24,9 +24,10 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
         for (std::size_t k = 0; k < c->values.size(); ++k)
             if (std::isfinite(c->values[k]) && !(at < k && std::abs(c->values[k]) <= std::abs(c->values[at]))) at = k;
         if (at == c->values.size()) return std::string();
-        return fmt::format("  {} at most {}{} at {} s\n", column, in_words(c->values[at]), unit, in_words(t.time[at]));
+        return fmt::format("  {} at most {}{} at {} s\n", column, number_in_words(c->values[at]), unit,
+                           number_in_words(t.time[at]));
     };
-    std::string out = fmt::format("elastic body {} at {} s:\n", body.name, in_words(t.time.back())) +
+    std::string out = fmt::format("elastic body {} at {} s:\n", body.name, number_in_words(t.time.back())) +
                       most("az", " m/s2") + most("fx", scene.spanwise_unit(" N").c_str()) +
                       most("fz", scene.spanwise_unit(" N").c_str());
     out += most("floor_force", " N");
@@ -40,7 +41,7 @@ std::string outcome_of_elastic(const MovingBody& body, const Table& t, const Sce
     out += fmt::format(
         "  work of the water on it {} {}, {} exchanged in both directions; the interface generated {:+.2g} % "
         "of the latter\n",
-        in_words(last("work_taken")), scene.spanwise_unit("J"), in_words(last("work_exchanged")),
+        number_in_words(last("work_taken")), scene.spanwise_unit("J"), number_in_words(last("work_exchanged")),
         100 * (last("work_taken") - last("work_given")) / std::max(1e-300, last("work_exchanged")));
     return out;
 }
@@ -64,7 +65,8 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
             return c && !c->values.empty() ? c->values.back() : std::numeric_limits<double>::quiet_NaN();
         };
         const auto place = [&](const char* x, const char* y, const char* z) {
-            return "(" + in_words(last(x)) + ", " + in_words(last(y)) + ", " + in_words(last(z)) + ")";
+            return "(" + number_in_words(last(x)) + ", " + number_in_words(last(y)) + ", " + number_in_words(last(z)) +
+                   ")";
         };
         double most = 0, when = 0;
         const Column *fx = t.find("fx"), *fy = t.find("fy"), *fz = t.find("fz");
@@ -76,9 +78,10 @@ std::string outcome_of_bodies(const Scene& scene, const RunRecord& record) {
         out += fmt::format(
             "body {} at {} s: centre at {} m, {} m below its start; {} m/s; turned by {} deg; largest force {} {} at "
             "{} s\n",
-            body.name, in_words(t.time.back()), place("x", "y", "z"), in_words(body.motion.mass.centre.z() - last("z")),
-            place("vx", "vy", "vz"), plain_degrees(turned < rounding ? 0 : turned, 4), in_words(most),
-            scene.spanwise_unit("N"), in_words(when));
+            body.name, number_in_words(t.time.back()), place("x", "y", "z"),
+            number_in_words(body.motion.mass.centre.z() - last("z")), place("vx", "vy", "vz"),
+            plain_degrees(turned < rounding ? 0 : turned, 4), number_in_words(most), scene.spanwise_unit("N"),
+            number_in_words(when));
     }
     if (const auto how = record.attributes.find("mesh_motion"); how != record.attributes.end() && !out.empty())
         out += how->second + "\n";

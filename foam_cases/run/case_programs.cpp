@@ -39,8 +39,8 @@ CasePrograms::CasePrograms(const OpenFoam& openfoam, fs::path case_folder)
 
 fs::path CasePrograms::find_mpirun() const { return find_program(environment_, "mpirun"); }
 
-std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<std::string> arguments,
-                                           const std::string& log_name, int ranks) const {
+std::unique_ptr<ChildProcess> CasePrograms::start(const fs::path& program, std::vector<std::string> arguments,
+                                                  const std::string& log_name, int ranks) const {
     const bool wrapped = !openfoam_.prefix.empty();
     const fs::path path = program.has_parent_path() ? program : openfoam_.bin / program;  // never another release's
     if (!wrapped && !fs::exists(path))
@@ -63,7 +63,7 @@ std::unique_ptr<Child> CasePrograms::start(const fs::path& program, std::vector<
         command.arguments.push_back("-parallel");
     }
     if (wrapped) command = behind(openfoam_.prefix, command.program.string(), command.arguments, environment_);
-    return std::make_unique<Child>(command, environment_, folder_, log(log_name));
+    return std::make_unique<ChildProcess>(command, environment_, folder_, log(log_name));
 }
 
 Ended CasePrograms::run(const fs::path& program, const std::vector<std::string>& arguments, const Watch& watch,

@@ -15,7 +15,7 @@ namespace tw {
 
 /// What a run of child processes reports and asks while it waits, several times a second. Return true to stop the
 /// child.
-using Watch = std::function<bool(Child&)>;
+using Watch = std::function<bool(ChildProcess&)>;
 
 /// Runs OpenFOAM programs in one case. OpenFOAM refuses paths with blanks, quotes and the like; such a case is reached
 /// through a symbolic link in the system's temporary folder, which lives as long as this object.
@@ -27,8 +27,8 @@ public:
 
     /// Starts `program` (a name: of the installation's own folder; or a path), on `ranks` processes through mpirun when >
     /// 1; output is appended to log.<log_name>. Throws RunError when the program or mpirun is not there.
-    std::unique_ptr<Child> start(const std::filesystem::path& program, std::vector<std::string> arguments,
-                                 const std::string& log_name, int ranks = 1) const;
+    std::unique_ptr<ChildProcess> start(const std::filesystem::path& program, std::vector<std::string> arguments,
+                                        const std::string& log_name, int ranks = 1) const;
     /// Runs to the end. Throws RunError with the program's own message when it fails; returns early (status not 0) when
     /// `watch` stopped it.
     Ended run(const std::filesystem::path& program, const std::vector<std::string>& arguments, const Watch& watch,

@@ -28,8 +28,8 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 }
 }  // namespace
 
-Child::Child(const Command& command, const std::vector<std::string>& environment, const std::filesystem::path& folder,
-             const std::filesystem::path& log)
+ChildProcess::ChildProcess(const Command& command, const std::vector<std::string>& environment,
+                           const std::filesystem::path& folder, const std::filesystem::path& log)
     : started_(wall_clock()) {
     const std::string program = command.program.string(), cwd = folder.string();
     std::vector<std::string> texts{program};
@@ -73,14 +73,14 @@ Child::Child(const Command& command, const std::vector<std::string>& environment
     }
 }
 
-Child::~Child() {
+ChildProcess::~ChildProcess() {
     if (pid_ > 0 && !ended_) {
         signal_group(SIGKILL);
         collect(0);
     }
 }
 
-std::optional<Ended> Child::collect(int options) {
+std::optional<Ended> ChildProcess::collect(int options) {
     if (ended_) return ended_;
     int status = 0;
     rusage used{};
@@ -101,9 +101,9 @@ std::optional<Ended> Child::collect(int options) {
     ended_ = e;
     return ended_;
 }
-std::optional<Ended> Child::poll() { return collect(WNOHANG); }
-Ended Child::wait() { return *collect(0); }
-void Child::signal_group(int number) {
+std::optional<Ended> ChildProcess::poll() { return collect(WNOHANG); }
+Ended ChildProcess::wait() { return *collect(0); }
+void ChildProcess::signal_group(int number) {
     if (pid_ > 0 && !ended_) ::kill(-pid_, number);
 }
 

@@ -24,14 +24,14 @@ struct Ended {
 
 /// A child process in a process group of its own; its output is appended to a log file. It is ended with its parent,
 /// whatever ends that.
-class Child {
+class ChildProcess {
 public:
     /// `environment`: "NAME=value" each. Throws RunError when the program cannot be started.
-    Child(const Command& command, const std::vector<std::string>& environment, const std::filesystem::path& folder,
-          const std::filesystem::path& log);
-    ~Child();  ///< kills what still runs
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
+    ChildProcess(const Command& command, const std::vector<std::string>& environment,
+                 const std::filesystem::path& folder, const std::filesystem::path& log);
+    ~ChildProcess();  ///< kills what still runs
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
 
     std::optional<Ended> poll();  ///< set once it has ended
     Ended wait();

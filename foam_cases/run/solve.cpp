@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Waits for a child that was asked to end by itself; ends it after `patience` seconds.
-Ended end_gently(Child& child, double patience) {
+Ended end_gently(ChildProcess& child, double patience) {
     const double until = wall_clock() + patience;
     while (wall_clock() < until) {
         if (const auto ended = child.poll()) return *ended;

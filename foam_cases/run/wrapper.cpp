@@ -25,7 +25,7 @@ std::map<std::string, std::string> variables_behind(const OpenFoam& found) {
     const TemporaryFolder folder;
     const std::vector<std::string> environment = environment_of(found, folder.path);
     const std::filesystem::path log = folder.path / "printenv";
-    Child child(behind(found.prefix, "printenv", {}, environment), environment, folder.path, log);
+    ChildProcess child(behind(found.prefix, "printenv", {}, environment), environment, folder.path, log);
     const double until = wall_clock() + patience;
     std::optional<Ended> ended;
     while (!(ended = child.poll()) && wall_clock() < until) std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -24,7 +24,7 @@ protected:
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }
     Ended run(const std::string& program, const std::vector<std::string>& arguments) {
-        return Child({program, arguments}, environment, folder, folder / "log").wait();
+        return ChildProcess({program, arguments}, environment, folder, folder / "log").wait();
     }
 };
 
@@ -72,7 +72,7 @@ bool alive(pid_t pid) {
 TEST_F(ChildTest, GoesWhenItsHandleGoes) {
     pid_t pid = -1;
     {
-        Child child({"/bin/sleep", {"60"}}, environment, folder, folder / "log");
+        ChildProcess child({"/bin/sleep", {"60"}}, environment, folder, folder / "log");
         pid = child.pid();
         EXPECT_FALSE(child.poll());
         EXPECT_TRUE(alive(pid));
@@ -85,7 +85,7 @@ TEST_F(ChildTest, GoesWhenItsParentIsKilled) {
     ASSERT_EQ(::pipe(report), 0);
     const pid_t parent = ::fork();
     if (parent == 0) {
-        Child child({"/bin/sleep", {"60"}}, environment, folder, folder / "log");
+        ChildProcess child({"/bin/sleep", {"60"}}, environment, folder, folder / "log");
         const pid_t pid = child.pid();
         if (::write(report[1], &pid, sizeof pid) > 0) ::pause();
         ::_exit(1);
