@@ -4,7 +4,7 @@ set -uo pipefail
 check=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-mkdir -p "$folder/docs" "$folder/scene"
+mkdir -p "$folder/docs" "$folder/scene/keys"
 cat >"$folder/program" <<'END'
 #!/usr/bin/env bash
 case $1 in
@@ -13,7 +13,7 @@ case $1 in
 esac
 END
 chmod +x "$folder/program"
-echo '// see docs/theory.md' >"$folder/scene/keys.cpp"
+echo '// see docs/theory.md' >"$folder/scene/keys/keys.cpp"
 printf '# Theory\n\n## A wave, and `more`\n' >"$folder/docs/theory.md"
 sound='[all](docs/theory.md), [part](docs/theory.md#a-wave-and-more), `scene/keys/keys.cpp`, `keys.cpp`, `twinwake run my.toml --out x`.'
 
@@ -43,6 +43,6 @@ expect '' ''
 printf '| a wave | `Waves.Grow` |\n' >"$folder/docs/audit.md"
 expect '' 'docs/audit.md: no such test (Waves.Grow)'
 rm "$folder/docs/audit.md"
-echo '// see docs/gone.md' >"$folder/scene/keys.cpp"
+echo '// see docs/gone.md' >"$folder/scene/keys/keys.cpp"
 expect '' 'scene/keys/keys.cpp:1: no such file (docs/gone.md)'
 exit $wrong
