@@ -41,33 +41,45 @@ private:
     std::string text_;
 };
 
-/// The keys of the table that the scene's hash covers, or that a method's own does, with their values. What belongs to
-/// an effect counts while it is on.
+/// A value as a line, or as several of one name.
+template <class Value>
+void add_value(Lines& t, const std::string& name, const Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>)
+        t.add(name, {static_cast<double>(value)});
+    else if constexpr (std::is_same_v<Value, std::string>)
+        t.add(name, value);
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+        for (const double v : value) t.add(name, {v});
+    else
+        throw std::logic_error(name + ": lists of words are not hashed");
+}
+
+bool is_default(const SceneKey& key, Scene& scene, std::size_t k) {
+    bool same = false;
+    with_value(key, scene, k, [&](const auto& value) {
+        Scene fresh = unsaid(key);
+        with_value(key, fresh, 0, [&](const auto& other) {
+            if constexpr (std::is_same_v<decltype(other), decltype(value)>) same = other == value;
+        });
+    });
+    return same;
+}
+
+/// The keys of the table that the scene's hash covers, or that a method's own does, with their values; those of a
+/// repeated section with the number of the entry. What belongs to an effect counts while it is on.
 void add_keys(Lines& t, const Scene& scene, SceneKey::Hashed hashed, const std::string& method = {}) {
     Scene& readable = const_cast<Scene&>(scene);  // slots refer to a value; none is changed here
-    Scene fresh;
     for (const SceneKey& key : scene_keys()) {
         const bool of_other = !method.empty() && find_method(key.section) && key.section != method;
         if (key.hashed != hashed || of_other) continue;
         if (!key.effect.empty() && !scene.effect_on(key.effect)) continue;
-        const std::string name = key.section + "." + key.name;
-        with_value(key, readable, [&](const auto& value) {
-            using Value = std::decay_t<decltype(value)>;
-            bool as_ever = false;
-            if (key.later)
-                with_value(key, fresh, [&](const auto& other) {
-                    if constexpr (std::is_same_v<std::decay_t<decltype(other)>, Value>) as_ever = other == value;
-                });
-            if (as_ever) return;
-            if constexpr (std::is_arithmetic_v<Value>)
-                t.add(name, {static_cast<double>(value)});
-            else if constexpr (std::is_same_v<Value, std::string>)
-                t.add(name, value);
-            else if constexpr (std::is_same_v<Value, std::vector<double>>)
-                for (const double v : value) t.add(name, {v});
-            else
-                throw std::logic_error(name + ": lists of words are not hashed");
-        });
+        const bool repeated = static_cast<bool>(key.slot.entries);
+        for (std::size_t k = 0; k < (repeated ? key.slot.entries(scene) : 1); ++k) {
+            if (key.later && is_default(key, readable, k)) continue;
+            const std::string entry = repeated ? fmt::format(".{}", k + 1) : "";
+            with_value(key, readable, k,
+                       [&](const auto& value) { add_value(t, key.section + entry + "." + key.name, value); });
+        }
     }
 }
 
@@ -123,15 +135,9 @@ void add_law(Lines& t, const MotionLaw& law) {
     for (std::size_t k = 0; k < law.times.size(); ++k) t.add("row", {law.times[k], law.values[k]});
 }
 
-/// Of a peak; scenes that do not say it keep the hash they had before it could be said.
-void add_filter(Lines& t, double filter) {
-    if (filter > 0) t.add("filter", {filter});
-}
-
 void add_body(Lines& t, const MovingBody& body, bool sizes) {
     const RigidBodySetup& m = body.motion;
     t.add("name", body.name);  // names are those of the record's tables and columns
-    add_filter(t, body.filter);
     if (body.elastic) {
         t.add("mass", {m.mass.mass}).add("velocity", m.velocity);
         if (const ElasticTyre* tyre = body.tyre()) return add_tyre(t, *tyre);
@@ -143,7 +149,6 @@ void add_body(Lines& t, const MovingBody& body, bool sizes) {
     for (const auto& free : {m.free.along, m.free.about})
         t.add("free", {double(free[0]), double(free[1]), double(free[2])});
     t.add("velocity", m.velocity).add("spin", m.spin);
-    if (body.friction != MovingBody::default_friction) t.add("friction", {body.friction});
     if (m.law) add_law(t, *m.law);
 }
 
@@ -181,14 +186,8 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
     }
     for (const Box& block : scene.water_blocks)
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
-    for (const PressureProbe& p : scene.sampling.pressure) {
-        t.add("pressure", p.name).add("at", p.place);
-        add_filter(t, p.filter);
-    }
-    for (const HeightProbe& p : scene.sampling.height) {
-        t.add("height", p.name).add("at", {p.x, p.y});
-        add_filter(t, p.filter);
-    }
+    for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.name).add("at", p.place);
+    for (const HeightProbe& p : scene.sampling.height) t.add("height", p.name).add("at", {p.x, p.y});
     for (const RefinedPlace& place : scene.refined) {
         if (place.around == RefinedPlace::Around::box)
             t.add("refined", place.boxes.front());

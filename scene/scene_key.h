@@ -10,13 +10,28 @@
 
 namespace tw {
 
-/// The value of a key in the checked scene; none for a key from which a reader works something else out.
-using Slot = std::variant<std::monostate, std::function<double&(Scene&)>, std::function<int&(Scene&)>,
-                          std::function<std::string&(Scene&)>, std::function<std::vector<double>&(Scene&)>,
-                          std::function<std::vector<std::string>&(Scene&)>>;
+/// Where the checked scene keeps the value of a key: in a repeated section of its k-th entry, counted from 0 (else k is
+/// not used). Without a place for a key from which a reader works something else out.
+struct Slot {
+    template <class Value>
+    using In = std::function<Value&(Scene&, std::size_t)>;
+    std::variant<std::monostate, In<double>, In<int>, In<std::string>, In<std::vector<double>>,
+                 In<std::vector<std::string>>>
+        place = {};
+    /// Of a repeated section: the number of its entries, and making it one; else empty.
+    std::function<std::size_t(const Scene&)> entries = {};
+    std::function<void(Scene&)> make_one = {};
+};
 template <class Part, class Value>
 Slot slot(Part Scene::*part, Value Part::*value) {
-    return std::function<Value&(Scene&)>([part, value](Scene& scene) -> Value& { return scene.*part.*value; });
+    return {Slot::In<Value>([part, value](Scene& scene, std::size_t) -> Value& { return scene.*part.*value; })};
+}
+/// Of the k-th entry of a list of the scene.
+template <class Entry, class Value>
+Slot entry_slot(std::vector<Entry> Scene::*list, Value Entry::*value) {
+    return {Slot::In<Value>([list, value](Scene& scene, std::size_t k) -> Value& { return (scene.*list)[k].*value; }),
+            [list](const Scene& scene) { return (scene.*list).size(); },
+            [list](Scene& scene) { (scene.*list).resize(1); }};
 }
 
 struct SceneKey {
@@ -58,14 +73,22 @@ struct SceneKey {
     bool later = false;
 };
 
-/// Calls `use` with the value of a key in the scene; not at all for a key without a slot.
+/// Calls `use` with the value of a key in the scene, in a repeated section that of its k-th entry; not at all for a key
+/// without a slot.
 template <class Use>
-void with_value(const SceneKey& key, Scene& scene, Use use) {
+void with_value(const SceneKey& key, Scene& scene, std::size_t k, Use use) {
     std::visit(
         [&](const auto& of) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(of)>, std::monostate>) use(of(scene));
+            if constexpr (!std::is_same_v<std::decay_t<decltype(of)>, std::monostate>) use(of(scene, k));
         },
-        key.slot);
+        key.slot.place);
+}
+
+/// A new Scene, with one entry of the repeated section that a key stands in: it holds the key's default.
+inline Scene unsaid(const SceneKey& key) {
+    Scene scene;
+    if (key.slot.make_one) key.slot.make_one(scene);
+    return scene;
 }
 
 }  // namespace tw

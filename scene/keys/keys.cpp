@@ -116,9 +116,9 @@ const SceneKey& scene_key(std::string_view section, std::string_view name) {
 
 std::string fallback_text(const SceneKey& key) {
     if (!key.fallback.empty()) return key.fallback;
-    Scene unsaid;
+    Scene scene = unsaid(key);
     std::string text;
-    with_value(key, unsaid, [&](const auto& value) {
+    with_value(key, scene, 0, [&](const auto& value) {
         using Value = std::decay_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, double>)
             text = value_text(value, key.unit);

@@ -11,6 +11,16 @@ using Hashed = SceneKey::Hashed;
 
 constexpr double fastest_sound = 1e5;  ///< [m/s]: a larger sound speed is refused as a mistake
 
+/// The k-th probe: those of pressures, then those of heights.
+Slot probes_filter() {
+    return {Slot::In<double>([](Scene& scene, std::size_t k) -> double& {
+                Sampling& s = scene.sampling;
+                return k < s.pressure.size() ? s.pressure[k].filter : s.height[k - s.pressure.size()].filter;
+            }),
+            [](const Scene& scene) { return scene.sampling.pressure.size() + scene.sampling.height.size(); },
+            [](Scene& scene) { scene.sampling.pressure.resize(1); }};
+}
+
 }  // namespace
 
 // The table is read by its rows.
@@ -160,8 +170,9 @@ Rows probe_keys() {
          .meaning = "Place at which the height of the water is recorded: of the highest water that stands on the floor or a "
                     "solid there; where all is dry, of what it would stand on; nothing where a solid lies on the water, "
                     "as under a floating body."},
-        {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "5 ms",
-         .meaning = "Time over which its peak is a mean, as the measurement it is compared with was filtered: 0.44 over the cut-off frequency of a low pass."},
+        {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .slot = probes_filter(),
+         .fallback = "5 ms",
+         .meaning = "Time over which its peak is a mean, as the measurement it is compared with was filtered: 0.44 over the cut-off frequency of a low pass.", .later = true},
     };
 }
 

@@ -153,8 +153,9 @@ Rows body_keys() {
         {.name = "inertia", .kind = Kind::place3, .unit = "kg m2", .hashed = Hashed::scene,
          .fallback = "of a uniform solid",
          .meaning = "Moments of inertia about the centre of mass and the shape's own x, y and z; of a section per metre."},
-        {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .fallback = "5 ms",
-         .meaning = "Time over which the largest force is a mean, as the measurement it is compared with was filtered."},
+        {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene,
+         .slot = entry_slot(&Scene::bodies, &MovingBody::filter), .fallback = "5 ms",
+         .meaning = "Time over which the largest force is a mean, as the measurement it is compared with was filtered.", .later = true},
         {.name = "motion", .kind = Kind::choice, .choices = {"free", "prescribed"}, .hashed = Hashed::scene,
          .fallback = "free", .meaning = "Moved by water and weight, or as `law` says."},
         {.name = "locked", .kind = Kind::choices, .choices = {"surge", "sway", "heave", "roll", "pitch", "yaw"},
@@ -166,8 +167,9 @@ Rows body_keys() {
          .meaning = "The same along the body's own axis, bow first, instead of `velocity`."},
         {.name = "spin", .kind = Kind::place3, .unit = "rad/s", .hashed = Hashed::scene, .fallback = "[0, 0, 0]",
          .meaning = "Angular velocity at the start, earth axes."},
-        {.name = "friction", .range = not_negative, .hashed = Hashed::scene, .fallback = "0.5",
-         .meaning = "Coulomb's coefficient between a free body and the floor and sides of its tank, on which it may stand or come to rest."},
+        {.name = "friction", .range = not_negative, .hashed = Hashed::scene,
+         .slot = entry_slot(&Scene::bodies, &MovingBody::friction),
+         .meaning = "Coulomb's coefficient between a free body and the floor and sides of its tank, on which it may stand or come to rest.", .later = true},
     };
     const Rows law = motion_law_keys("required of a prescribed motion", "The body", "`centre`");
     const Rows plate{

@@ -80,16 +80,16 @@ Eigen::Matrix3d turn_of(const Pose& pose);
 Surface read_solid(SceneSection& s, std::string& source, std::string& key);
 /// The same, refused where it is not closed or not sound: of what has no `repair` of its own.
 Surface read_sound_solid(SceneSection& s, std::string& source, std::string& key);
-/// The `number`-th body, from 1.
-MovingBody read_body(SceneSection& s, std::size_t number, int dimensions);
+// What of a body is not read by its slots: of a rigid one, an elastic plate, an elastic tyre (with its surface as it
+// stands at the start, blown up).
+void read_body(SceneSection& s, MovingBody& b, int dimensions);
+void read_plate_body(SceneSection& s, MovingBody& b, ElasticPlate plate);
+void read_tyre_body(SceneSection& s, MovingBody& b, ElasticTyre tyre);
 /// The elastic ones among the bodies, each with its plies and gauges; nothing for the others.
 std::vector<std::optional<ElasticPart>> read_elastic(std::vector<SceneSection>& bodies,
                                                      std::vector<SceneSection>& plies,
                                                      std::vector<SceneSection>& gauges, int dimensions, double gravity);
-MovingBody elastic_body(SceneSection& s, std::size_t number, ElasticPlate plate);
 ElasticTyre read_tyre(SceneSection& s, int dimensions, double gravity);
-/// With the surface of the tyre as it stands at the start, blown up.
-MovingBody tyre_body(SceneSection& s, std::size_t number, ElasticTyre tyre);
 /// Gives an elastic plate what follows from the particle spacing: skin, margin, surface and rigid counterpart.
 void stand_elastic(MovingBody& body, double dp, SceneSection& s);
 /// A solid from a file, a shape or a box (min, max).

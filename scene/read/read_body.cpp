@@ -69,10 +69,8 @@ Eigen::Matrix3d turn_of(const Pose& pose) {
     return turn;
 }
 
-MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
-    MovingBody b;
+void read_body(SceneSection& s, MovingBody& b, int dimensions) {
     const bool flat = dimensions == 2;
-    b.name = s.identifier("name", fmt::format("body{}", number));
     Pose pose;
     pose.trim = s.number("trim", 0.0);
     pose.heel = s.number("heel", 0.0);
@@ -103,7 +101,6 @@ MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
         if (velocity && speed) s.fail("speed", "given twice: also velocity; keep one of the two");
         m.velocity = velocity.value_or(-speed.value_or(0) * turn.col(0));
         m.spin = s.vector("spin").value_or(Vec3::Zero());
-        b.friction = s.number("friction", b.friction);
         for (std::size_t k = 0; k < 6; ++k) {
             const auto axis = static_cast<int>(k % 3);
             if (!is_free(m.free, k) && std::abs(k < 3 ? m.velocity[axis] : m.spin[axis]) > 1e-12)
@@ -117,7 +114,6 @@ MovingBody read_body(SceneSection& s, std::size_t number, int dimensions) {
         m.law = read_motion_law(s, flat);
     }
     s.finish();
-    return b;
 }
 
 double MovingBody::fastest(double g) const {

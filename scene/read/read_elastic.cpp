@@ -207,9 +207,7 @@ std::vector<std::optional<ElasticPart>> read_elastic(std::vector<SceneSection>& 
     return parts;
 }
 
-MovingBody elastic_body(SceneSection& s, std::size_t number, ElasticPlate plate) {
-    MovingBody b;
-    b.name = s.identifier("name", fmt::format("body{}", number));
+void read_plate_body(SceneSection& s, MovingBody& b, ElasticPlate plate) {
     static constexpr const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
     for (const std::string& word : s.choices("locked").value_or(std::vector<std::string>{})) {
         if (plate.carried.empty()) s.fail("locked", "is for a frame; name the edges that it carries in carried");
@@ -218,7 +216,6 @@ MovingBody elastic_body(SceneSection& s, std::size_t number, ElasticPlate plate)
     b.source = fmt::format("elastic plate of {:.4g} mm", 1000 * plate.thickness());
     b.elastic = std::move(plate);
     s.finish();
-    return b;
 }
 
 void stand_elastic(MovingBody& body, double dp, SceneSection& s) {

@@ -97,7 +97,7 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
         const auto height = p.numbers("height");
         if (pressure.has_value() == height.has_value())
             p.fail("pressure", "expected either pressure = [x, y, z] or height = [x, y]");
-        const double filter = p.number("filter", 0);
+        const double filter = p.entry().sampling.pressure.front().filter;
         if (pressure) {
             const std::string name = p.identifier("name", fmt::format("P{}", sampling.pressure.size() + 1));
             take(of_pressures, name, p);

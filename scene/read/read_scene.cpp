@@ -188,12 +188,18 @@ void read_solids(Reading& r) {
     std::vector<std::optional<ElasticPart>> elastic =
         read_elastic(s.bodies, s.plies, s.gauges, dimensions, scene.water.gravity);
     for (std::size_t i = 0; i < s.bodies.size(); ++i) {
-        const double filter = s.bodies[i].number("filter", 0);
-        scene.bodies.push_back(!elastic[i] ? read_body(s.bodies[i], i + 1, dimensions)
-                               : std::holds_alternative<ElasticTyre>(*elastic[i])
-                                   ? tyre_body(s.bodies[i], i + 1, std::get<ElasticTyre>(std::move(*elastic[i])))
-                                   : elastic_body(s.bodies[i], i + 1, std::get<ElasticPlate>(std::move(*elastic[i]))));
-        scene.bodies.back().filter = filter;
+        SceneSection& of = s.bodies[i];
+        if (elastic[i] && of.has("friction"))
+            of.fail("friction", "is for free rigid bodies, and this one is elastic; remove this key");
+        MovingBody body = std::move(of.entry().bodies.front());
+        body.name = of.identifier("name", fmt::format("body{}", i + 1));
+        if (!elastic[i])
+            read_body(of, body, dimensions);
+        else if (auto* tyre = std::get_if<ElasticTyre>(&*elastic[i]))
+            read_tyre_body(of, body, std::move(*tyre));
+        else
+            read_plate_body(of, body, std::get<ElasticPlate>(std::move(*elastic[i])));
+        scene.bodies.push_back(std::move(body));
     }
     refuse_same_names(scene.bodies, s.bodies);
     if (s.hull.present()) r.hull = read_hull(s.hull);

@@ -71,9 +71,7 @@ ElasticTyre read_tyre(SceneSection& s, int dimensions, double gravity) {
     return tyre;
 }
 
-MovingBody tyre_body(SceneSection& s, std::size_t number, ElasticTyre tyre) {
-    MovingBody b;
-    b.name = s.identifier("name", fmt::format("body{}", number));
+void read_tyre_body(SceneSection& s, MovingBody& b, ElasticTyre tyre) {
     b.source = fmt::format("elastic tyre of {:.4g} mm", 1000 * tyre.shape.outer_diameter);
     for (const ElasticGauge& gauge : tyre.gauges)
         if (gauge.direction)
@@ -108,7 +106,6 @@ MovingBody tyre_body(SceneSection& s, std::size_t number, ElasticTyre tyre) {
         m.free.about[a] = false;
     }
     b.elastic = std::move(tyre);
-    return b;
 }
 
 }  // namespace tw

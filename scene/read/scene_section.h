@@ -24,9 +24,13 @@ public:
 
     /// Reads every key of the table's section that has a slot in the scene; what is not written is left as it is.
     void read_into(Scene& scene);
+    /// A new Scene with one entry of this repeated section, in which every key that has a slot is read.
+    Scene entry();
 
 private:
-    /// The row of the table: list sections stand there without their brackets.
+    /// Its name in the table: repeated sections stand there without their brackets.
+    std::string table_name() const;
+    void read_slot(const SceneKey& key, Scene& scene);
     const SceneKey& row(const std::string& key) const;
     /// The spelling in which a key was written: an older one where the file has that. Throws when it has both.
     std::string written(const SceneKey& key);
