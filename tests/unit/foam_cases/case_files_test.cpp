@@ -215,7 +215,7 @@ TEST(CaseFiles, SolidsLetWaterGoWhereTheInstallationHasTheLibraryForIt) {
     holds(plan_case(scene, openfoam), "closed");
     scene.domain.z_max = Side::atmosphere;
     openfoam.wall_library.clear();
-    holds(plan_case(scene, openfoam), "no library");
+    holds(plan_case(scene, openfoam), "lacks the library");
 }
 
 // snappyHexMesh took 31 s for 19 thousand cells between `empty` sides, and takes 2.4 s between planes of symmetry.

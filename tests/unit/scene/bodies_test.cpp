@@ -322,8 +322,7 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:12:11: [[body]] inertia = [1, 0, 1]: no body has principal moments"},
         Bad{"[motion]", "locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]\n[motion]",
             "scene.toml:12:10: [[body]] locked = [\"surge\", \"sway\", \"heave\", \"roll\", \"pitch\", \"yaw\"]: "
-            "nothing "
-            "is left"},
+            "all motions of"},
         Bad{"[motion]", "locked = [\"heave\"]\nvelocity = [0, 0, -1]\n[motion]",
             "scene.toml:13:12: [[body]] velocity = [0, 0, -1]: has a part in heave, which is locked"},
         Bad{"draft = \"0.05 m\"", "draft = 1.2",
