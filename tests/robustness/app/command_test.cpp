@@ -169,7 +169,7 @@ TEST_F(Command, CheckDrawsTheSizesOfParticlesAndCells) {
     write("a.toml", planing + "[domain]\nahead = \"4 m\"\n[sph]\nlevels = 2\nzone = 8\n");
     const Outcome o = twinwake({"check", "a.toml", "--picture", "sizes.svg"});
     EXPECT_EQ(o.status, 0) << o.err;
-    EXPECT_NE(o.out.find("guards"), std::string::npos) << "a line for each size";
+    EXPECT_NE(o.out.find("buffer"), std::string::npos) << "a line for each size";
     const std::string picture = content(folder_ / "sizes.svg");
     EXPECT_EQ(picture.substr(0, 5), "<?xml");
     for (const char* drawn : {"particles (sph)", "cells (fvm)", "Side view", "Plan view"})
