@@ -100,7 +100,8 @@ TEST_F(AblateCommand, AnEffectThatTakesOtherSizesWithItIsNotOneEffect) {
     write("post.toml", with(text, "near_hull = 0.01", "near_hull = 0.01\nspacing = 0.02"));
     const Outcome o = twinwake({"ablate", "post.toml", "--effects", "air"});
     EXPECT_EQ(o.status, 2);
-    EXPECT_NE(o.err.find("air: cannot be switched alone: it also changes the sizes of the particles"), std::string::npos)
+    EXPECT_NE(o.err.find("air: cannot be switched alone: it also changes the sizes of the particles"),
+              std::string::npos)
         << o.err;
     EXPECT_FALSE(fs::exists(folder_ / "runs"));
 }
