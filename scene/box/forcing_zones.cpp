@@ -9,6 +9,7 @@
 
 #include "scene/box/box_walls.h"
 #include "scene/water/water_blocks.h"
+#include "waves/dispersion.h"
 
 namespace tw {
 namespace {
@@ -85,18 +86,6 @@ ForcingZones zones_of_stream(const Scene& scene) {
     return plan;
 }
 
-/// k of omega^2 = g k tanh(k h) by Newton's steps from above: the function is convex there.
-double wave_number(double omega, double gravity, double depth) {
-    const double k0 = omega * omega / gravity;
-    double k = std::max(k0, omega / std::sqrt(gravity * depth));
-    for (int step = 0; step < 50; ++step) {
-        const double t = std::tanh(k * depth), f = k * t - k0, slope = t + k * depth * (1 - t * t);
-        k -= f / slope;
-        if (std::abs(f) < 1e-12 * k0) break;
-    }
-    return k;
-}
-
 /// Of the bodies that oscillate as prescribed the longest period [s]; 0: none does.
 double longest_period(const Scene& scene) {
     double longest = 0;
@@ -137,7 +126,7 @@ ForcingZones zones_of_tank(const Scene& scene) {
                         plan.wave_length);
     }
     const double k = 2 * pi / plan.wave_length, depth_term = std::tanh(k * h);
-    plan.frequency = std::sqrt(g * k * depth_term);
+    plan.frequency = wave_frequency(k, g, h);
     for (int axis = 0; axis < 2; ++axis)
         for (const bool high : {false, true}) {
             const Side side = axis == 0 ? (high ? d.x_max : d.x_min) : (high ? d.y_max : d.y_min);
