@@ -73,11 +73,16 @@ std::optional<double> seconds_of(std::string_view cell, std::size_t parts) {
     return found == parts ? std::optional(seconds) : std::nullopt;
 }
 
-bool is_unit(std::string_view cell) {
+/// "[kN]", "(Nm)" as text/units.h knows them.
+std::string bare_unit(std::string_view cell) {
     if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
-    if (cell == "-" || cell == "Nm" || cell == "N-m") return true;
+    return cell == "Nm" || cell == "N-m" ? "N m" : std::string(cell);
+}
+bool is_unit(const std::string& cell) {
+    const std::string unit = bare_unit(cell);
+    if (unit == "-") return true;
     try {
-        return !cell.empty() && (parse_unit(std::string(cell)), true);
+        return !unit.empty() && (parse_unit(unit), true);
     } catch (const UnitError&) { return false; }
 }
 
@@ -131,11 +136,8 @@ public:
             names += (c ? "," : "") + quoted(r.names ? head[c] : fmt::format("column {}", c + 1));
         }
         if (r.units)
-            for (std::string unit : split(lines_[*r.units].text, r.separator.sign)) {
-                if (unit.size() > 2 && (unit.front() == '[' || unit.front() == '('))
-                    unit = unit.substr(1, unit.size() - 2);
-                out.units.push_back(unit == "Nm" || unit == "N-m" ? "N m" : unit);
-            }
+            for (const std::string& cell : split(lines_[*r.units].text, r.separator.sign))
+                out.units.push_back(bare_unit(cell));
         std::vector<double> days(r.columns, 0);
         for (std::size_t k = 0; k < lines_.size(); ++k) {
             if (k > 0) out.text += '\n';
@@ -171,11 +173,7 @@ public:
     /// Whether text/csv_columns.h reads the text in the same way as it stands.
     bool is_plain(const Reading& r) const {
         if (r.point == ',' || r.units || !r.names || above(*r.names) || above(r.first) != r.names) return false;
-        const std::string_view head = lines_[*r.names].text;
-        const char usual = head.find('\t') != std::string_view::npos  ? '\t'
-                           : head.find(';') != std::string_view::npos ? ';'
-                                                                      : ',';
-        return r.separator.sign == usual && !has_clock(r);
+        return r.separator.sign == separator_of(lines_[*r.names].text) && !has_clock(r);
     }
     /// Above the names of the columns: a row of nothing but numbers, so that the names are none.
     bool lost_a_row(const Reading& r) const {

@@ -42,16 +42,6 @@ std::vector<Cell> cells_of(std::string_view line, char separator) {
     return cells;
 }
 
-char separator_of(std::string_view header) {
-    bool quoted = false, semicolon = false;
-    for (const char c : header) {
-        if (c == '"') quoted = !quoted;
-        if (c == '\t' && !quoted) return c;
-        semicolon = semicolon || (c == ';' && !quoted);
-    }
-    return semicolon ? ';' : ',';
-}
-
 /// NaN for an empty cell or the word NaN; nothing for what is no finite number.
 std::optional<double> number_of(std::string_view cell) {
     const auto is = [](char c, char lower) { return c == lower || c == lower - 'a' + 'A'; };
@@ -64,6 +54,16 @@ std::optional<double> number_of(std::string_view cell) {
 }
 
 }  // namespace
+
+char separator_of(std::string_view header) {
+    bool quoted = false, semicolon = false;
+    for (const char c : header) {
+        if (c == '"') quoted = !quoted;
+        if (c == '\t' && !quoted) return c;
+        semicolon = semicolon || (c == ';' && !quoted);
+    }
+    return semicolon ? ';' : ',';
+}
 
 std::string shown_cell(std::string_view cell) {
     std::string text(cell.substr(0, 60));

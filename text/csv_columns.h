@@ -62,6 +62,8 @@ private:
     std::vector<std::string_view> rows_;  ///< of text_
 };
 
+/// What separates the cells below this header line: the first of tab, semicolon and comma that it has outside quotes.
+char separator_of(std::string_view header);
 /// Text of a file as it may stand in a message: in quotes, control characters replaced, long ones cut.
 std::string shown_cell(std::string_view cell);
 
