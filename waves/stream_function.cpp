@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace tw {
 namespace {
@@ -101,6 +102,7 @@ private:
     void evaluate(const VectorXd& x, double height, VectorXd& f, MatrixXd& jacobian) const {
         jacobian.setZero();
         double mean = 0;
+        std::vector<double> S(static_cast<std::size_t>(n_) + 1), C(S);  // by j, from 1
         for (int m = 0; m <= n_; ++m) {
             const double eta = x(m);
             double psi = -x(c()) * eta + x(q()), u = -x(c()), w = 0, u_z = 0, w_z = 0;
@@ -108,21 +110,19 @@ private:
             for (int j = 1; j <= n_; ++j) {
                 // sinh and cosh of j (z + d) over cosh j d, times exp(-j H/2)
                 const double up = std::exp(j * (eta - height / 2)), down = std::exp(-j * (eta + 2 * d_ + height / 2)),
-                             of_depth = 1 + std::exp(-2 * j * d_), S = (up - down) / of_depth,
-                             C = (up + down) / of_depth, cs = cos_(m, j - 1), sn = sin_(m, j - 1), B = x(b(j));
-                psi += B * S * cs;
-                u += j * B * C * cs;
-                w += j * B * S * sn;
-                u_z += j * j * B * S * cs;
-                w_z += j * j * B * C * sn;
-                jacobian(flow, b(j)) = S * cs;
-            }
-            for (int j = 1; j <= n_; ++j) {
-                const double up = std::exp(j * (eta - height / 2)), down = std::exp(-j * (eta + 2 * d_ + height / 2)),
                              of_depth = 1 + std::exp(-2 * j * d_);
-                jacobian(pressure, b(j)) =
-                    j * (u * (up + down) * cos_(m, j - 1) + w * (up - down) * sin_(m, j - 1)) / of_depth;
+                S[j] = (up - down) / of_depth;
+                C[j] = (up + down) / of_depth;
+                const double cs = cos_(m, j - 1), sn = sin_(m, j - 1), B = x(b(j));
+                psi += B * S[j] * cs;
+                u += j * B * C[j] * cs;
+                w += j * B * S[j] * sn;
+                u_z += j * j * B * S[j] * cs;
+                w_z += j * j * B * C[j] * sn;
+                jacobian(flow, b(j)) = S[j] * cs;
             }
+            for (int j = 1; j <= n_; ++j)
+                jacobian(pressure, b(j)) = j * (u * C[j] * cos_(m, j - 1) + w * S[j] * sin_(m, j - 1));
             f(flow) = psi;
             jacobian(flow, m) = u;
             jacobian(flow, c()) = -eta;

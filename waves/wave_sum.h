@@ -26,13 +26,14 @@ struct WaveSum {
 
 /// exp(x) to rounding for |x| < 700, by its series after halving.
 inline double wave_exp(double x) {
-    if (x < 0) return 1 / wave_exp(-x);
+    const bool below = x < 0;
+    if (below) x = -x;
     int doublings = 0;
     for (; x > 0.25; ++doublings) x /= 2;
     double e = 0;  // exp(x) - 1
     for (int n = 13; n >= 1; --n) e = (e + 1) * x / n;
     for (; doublings > 0; --doublings) e *= e + 2;
-    return e + 1;
+    return below ? 1 / (e + 1) : e + 1;
 }
 
 /// Cosine and sine of an angle in turns, |turns| < 1e9, by their series within an eighth of a turn.
