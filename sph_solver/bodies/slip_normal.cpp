@@ -6,9 +6,8 @@
 namespace tw {
 namespace {
 
-constexpr double sharp_edge =
-    0.7;  ///< cosine of the angle between faces from which on (46 degrees) they do not pass for one
-constexpr int edge_halvings = 6;
+constexpr double sharp_edge = 0.7;  ///< cosine of the angle, 46 degrees, from which on two faces do not pass for one
+constexpr int edge_halvings = 6;    ///< of the way in which the edge is looked for
 
 }  // namespace
 
