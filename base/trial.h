@@ -6,9 +6,9 @@ namespace tw {
 
 /// What a trial may take beyond what the process has already.
 struct TrialLimits {
-    double seconds = 60;    ///< by the clock
+    double seconds = 60;    ///< by the clock [s]
     double processor = 60;  ///< [s] of its own, so that a busy machine takes none of it away
-    double bytes = 4e9;     ///< of memory
+    double bytes = 4e9;     ///< of memory [bytes]
 };
 
 /// What `work` answers, done in a child process, where a crash, an endless loop or the end of memory in a library harms

@@ -16,13 +16,13 @@ struct MeanValue : SettledMean {
     MeanValue() = default;
     MeanValue(const SettledMean& mean) : SettledMean(mean) {}
     /// What runs of other sizes tell (ladder/judge_by_sizes.h), half widths; nan: not estimated, or there is none.
-    double discretisation = std::numeric_limits<double>::quiet_NaN();
-    double choices = std::numeric_limits<double>::quiet_NaN();      ///< box, sound speed, time step; root of squares
-    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of all of it
-    std::string no_uncertainty;                                     ///< why the other sizes gave none
+    double discretisation = std::numeric_limits<double>::quiet_NaN();  ///< [unit]
+    double choices = std::numeric_limits<double>::quiet_NaN();         ///< box, sound speed, time step; root of squares
+    double uncertainty = std::numeric_limits<double>::quiet_NaN();     ///< of all of it [unit]
+    std::string no_uncertainty;                                        ///< why the other sizes gave none
     /// What reading the value off its history leaves open below and above it (threshold, spacing, sampling), which no run
     /// of another size shows [unit]; in the outer interval alone (verdict/left_out.h). `reading_of`: what that is.
-    double reading_below = 0, reading_above = 0;
+    double reading_below = 0, reading_above = 0;  ///< [unit]
     std::string reading_of = {};
     std::string not_resolved = {};  ///< why this source's value is not judged: "sound of the impact: ..."; empty: it is
 
@@ -41,11 +41,11 @@ std::string to_string(Verdict verdict);
 /// How far one source of a quantity is from another, and what that says.
 struct Difference {
     std::size_t a = 0, b = 1;                                      ///< places of the two among the sources
-    double difference = std::numeric_limits<double>::quiet_NaN();  ///< source b - source a
+    double difference = std::numeric_limits<double>::quiet_NaN();  ///< source b - source a [unit]
     /// Half width of its 95 % interval: of statistics only where the verdict is not_estimated.
-    double interval = std::numeric_limits<double>::quiet_NaN();
-    double size = 0;  ///< what per cent refer to: mean of the two, at least the quantity's `scale`
-    double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< difference over the size, in per cent
+    double interval = std::numeric_limits<double>::quiet_NaN();  ///< [unit]
+    double size = 0;  ///< what per cent refer to: mean of the two, at least the quantity's `scale` [unit]
+    double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< difference over the size, in per cent [%]
     Verdict verdict = Verdict::not_comparable;
     std::string remark = {};
     std::string sentence = {};  ///< the verdict to be forwarded, where runs of several sizes gave one
@@ -82,9 +82,9 @@ struct Quantity : Difference {
 
 /// What an empirical formula or another reference says of a quantity; shown beside, never part of a verdict.
 struct Reference {
-    std::string quantity, unit;  ///< name of the quantity it stands beside
-    std::string source;          ///< "Savitsky 1964"
-    double value = 0, half_width = 0;
+    std::string quantity, unit;        ///< name of the quantity it stands beside
+    std::string source;                ///< "Savitsky 1964"
+    double value = 0, half_width = 0;  ///< [unit]
     std::string remark;
     bool in_range = true;     ///< of the formula; outside it is a hint at most
     bool of_one_run = false;  ///< it takes something from a run, as its wetted length: shown in the table alone
@@ -94,7 +94,7 @@ struct Reference {
 /// One soundness check of one run, or one line of its stability certificate: value against limit.
 struct Gate {
     std::string name, source, unit;  ///< source: the run's name
-    double value = 0, limit = 0;
+    double value = 0, limit = 0;     ///< [unit]
     bool pass = false;
     std::string remark;
     bool warns = false;  ///< what is not met is a warning
@@ -128,8 +128,8 @@ struct Comparison {
     std::vector<Reference> references;
     std::vector<Gate> gates;
     std::vector<std::string> banners;  ///< warnings that stand on top of the report
-    double agree_within = 0.05;
-    std::string discretisation_from;  ///< "runs of 3 sizes", "the twins of prism, 6 m/s"; empty: not estimated
+    double agree_within = 0.05;        ///< [-]
+    std::string discretisation_from;   ///< "runs of 3 sizes", "the twins of prism, 6 m/s"; empty: not estimated
 
     const Quantity* find(const std::string& name) const;
     /// Of a source that failed: what it recorded stands in the tables, and no difference is taken from it.
@@ -138,10 +138,10 @@ struct Comparison {
 
 struct CompareOptions {
     bool force = false;          ///< compare records of different scenes, with a banner
-    double agree_within = 0.05;  ///< target of AGREE, as a fraction
+    double agree_within = 0.05;  ///< target of AGREE, as a fraction [-]
     double fewest_flow_throughs =
         SettledRules{}.fewest_flow_throughs;  ///< a mean is not given from less settled time than this [length / speed]
-    double fewest_independent = SettledRules{}.fewest_independent;  ///< nor from fewer independent samples
+    double fewest_independent = SettledRules{}.fewest_independent;  ///< nor from fewer independent samples [-]
     double largest_error =
         SettledRules{}.largest_error;  ///< nor with a larger standard error, as a fraction of the mean
 };

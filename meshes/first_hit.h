@@ -16,10 +16,10 @@ public:
     FirstHit(FirstHit&&) noexcept;
 
     struct Hit {
-        double share;  ///< of the way from `a` to `b`, 0 to 1
+        double share;  ///< of the way from `a` to `b`, 0 to 1 [-]
         int triangle;
         Vec3 point;   ///< [m]
-        Vec3 normal;  ///< unit, of the triangle's counter-clockwise side
+        Vec3 normal;  ///< unit, of the triangle's counter-clockwise side [-]
     };
     /// The first triangle that the segment from `a` to `b` meets [m]. A segment within a triangle's plane meets none.
     std::optional<Hit> on(const Vec3& a, const Vec3& b) const;

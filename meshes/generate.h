@@ -10,7 +10,7 @@ namespace tw {
 /// One parameter of a parametric hull: name as in the scene file, unit kind ("m", "rad", "-"), default, range.
 struct HullParameter {
     std::string name, kind, meaning;
-    double fallback, min, max;
+    double fallback, min, max;  ///< [SI of `kind`]
 };
 /// A parametric hull. Closed, outward normals, bow at negative x, stern (transom) at the largest x, symmetric about y =
 /// 0, keel's lowest point at z = 0 before posing.

@@ -13,8 +13,8 @@ struct Finding {
                           ///< nested_shells, zero_area, not_finite, self_intersection, far_from_origin,
                           ///< suspicious_size, thin_walls, empty
     std::string message;  ///< what, how many, where, and what to do unless repair_surface repairs it
-    Vec3 place = Vec3::Zero();
-    bool mendable = false;  ///< repair_surface makes a usable surface of it
+    Vec3 place = Vec3::Zero();  ///< [m]
+    bool mendable = false;      ///< repair_surface makes a usable surface of it
 };
 
 /// All findings, and of each error whether repair_surface repairs it; `particle_spacing` > 0 adds the wall-thickness

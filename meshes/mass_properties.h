@@ -17,9 +17,9 @@ MassProperties mass_properties(const Surface& surface);
 /// The part below z = 0: volume [m3], its centroid (the centre of buoyancy) and bounds, by exact clipping. All zero
 /// when nothing lies below z = 0.
 struct Hydrostatics {
-    double volume = 0;
-    Vec3 centroid = Vec3::Zero();
-    Box wet_bounds;  ///< bounds of the wetted part of the surface
+    double volume = 0;             ///< [m3]
+    Vec3 centroid = Vec3::Zero();  ///< [m]
+    Box wet_bounds;                ///< bounds of the wetted part of the surface
 };
 Hydrostatics hydrostatics(const Surface& closed_surface);
 

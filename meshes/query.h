@@ -22,7 +22,7 @@ public:
         Vec3 point;           ///< nearest point on the surface [m]
         int triangle = -1;    ///< -1 when nothing lies within `reach`: then distance = +-reach, point = p, normal = 0
         double distance = 0;  ///< signed [m]: positive outside, negative inside
-        Vec3 normal;          ///< exterior unit normal there, (p - point)/distance; the angle-weighted
+        Vec3 normal;          ///< exterior unit normal there, (p - point)/distance [-]; the angle-weighted
                               ///< pseudo-normal where the distance vanishes
         int feature = 0;      ///< of the triangle: 0 its face, 1 to 3 an edge, 4 to 6 a corner
         bool on_face() const { return feature == 0; }
@@ -42,7 +42,7 @@ public:
     double thickness(int triangle) const;
     /// The same with the triangle that was hit (-1: none), from the triangle's centre or another of its points.
     struct Opposite {
-        double distance;
+        double distance;  ///< [m]
         int triangle;
     };
     Opposite opposite_side(int triangle) const;

@@ -8,7 +8,7 @@ namespace tw {
 /// A straight piece of an edge of a hull from which a stream along +x leaves.
 struct SheddingEdge {
     Vec3 from, to;  ///< [m]
-    Vec3 inward;    ///< unit vector into the solid, halfway between its two faces
+    Vec3 inward;    ///< unit vector into the solid, halfway between its two faces [-]
 };
 
 /// The edges of a posed hull from which water leaves: the lower edge of a transom, chines, bilges, steps. Such an edge is

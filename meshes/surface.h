@@ -12,8 +12,8 @@ namespace tw {
 /// A triangulated surface [m]. Closed surfaces have outward normals (counter-clockwise seen from outside).
 /// Points are shared between triangles: equal corners are one point.
 struct Surface {
-    std::vector<Vec3> points;
-    std::vector<std::array<int, 3>> triangles;
+    std::vector<Vec3> points;                   ///< [m]
+    std::vector<std::array<int, 3>> triangles;  ///< places of the corners among the points
 
     Vec3 corner(int triangle, int k) const {
         return points[static_cast<std::size_t>(
@@ -30,10 +30,10 @@ struct Surface {
 /// scaled to metres; then heel about x, trim about y (bow up positive), then moved so that the lowest point lies
 /// `draft` below still water (z = 0), and shifted by `position` in x and y.
 struct Pose {
-    double trim = 0;   ///< bow up [rad]
-    double heel = 0;   ///< starboard down [rad]
-    double draft = 0;  ///< depth of the lowest point below z = 0 [m]
-    Vec3 position{0, 0, 0};
+    double trim = 0;         ///< bow up [rad]
+    double heel = 0;         ///< starboard down [rad]
+    double draft = 0;        ///< depth of the lowest point below z = 0 [m]
+    Vec3 position{0, 0, 0};  ///< x and y alone [m]
 };
 Surface posed(const Surface& surface, const Pose& pose);
 

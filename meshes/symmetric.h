@@ -6,8 +6,8 @@ namespace tw {
 /// How far the two sides of a surface differ: the largest distance of a mirrored corner (about y = 0) from the surface
 /// [m], and the corner.
 struct Asymmetry {
-    double distance = 0;
-    Vec3 place = Vec3::Zero();
+    double distance = 0;        ///< [m]
+    Vec3 place = Vec3::Zero();  ///< [m]
 };
 Asymmetry asymmetry(const Surface& closed_surface);
 

@@ -18,7 +18,7 @@ namespace tw {
 struct MotionLaw {
     enum class Kind { constant, ramp, sinusoid, table } kind = Kind::constant;
     bool turns = false;                           ///< about `axis`, not along it
-    Vec3 axis = Vec3::UnitZ();                    ///< unit vector, earth axes
+    Vec3 axis = Vec3::UnitZ();                    ///< unit vector, earth axes [-]
     double rate = 0;                              ///< [m/s or rad/s]
     double ramp = 0;                              ///< [s]
     double amplitude = 0, period = 1, phase = 0;  ///< [m or rad], [s], [rad]

@@ -44,7 +44,7 @@ Vec3 moment_on(const Eigen::Matrix3d& inertia, const Vec3& spin, const FrameForc
 
 /// Force and moment about the centre of mass [N], [N m].
 struct FrameLoad {
-    Vec3 force, moment;
+    Vec3 force, moment;  ///< [N], [N m]
 };
 
 /// What a rigid body feels in such a frame, whose centre X, velocity U and spin omega are those in it: F = m f(X, U), and

@@ -53,7 +53,7 @@ public:
 
     /// All that changes.
     struct State {
-        double time = 0;
+        double time = 0;                                               ///< [s]
         Vec3 centre = Vec3::Zero();                                    ///< of mass [m]
         Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< turns the axes at the start to those now
         Vec3 velocity = Vec3::Zero();                                  ///< of the centre [m/s]

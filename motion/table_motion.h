@@ -10,7 +10,7 @@ struct PlaceOfMotion {
 
 /// The velocities with which a table of a motion begins and ends [m/s or rad/s].
 struct EndsOfTable {
-    double begin = 0, end = 0;
+    double begin = 0, end = 0;  ///< [m/s or rad/s]
 };
 
 /// Whether a table begins and ends at rest or while it moves, by its rows: it moves at an end where
@@ -23,7 +23,7 @@ EndsOfTable ends_of_table(const std::vector<double>& times, const std::vector<do
 /// The largest velocity and acceleration (magnitudes) of all times.
 struct LargestOfTable {
     double rate = 0, acceleration = 0;  ///< [m/s, m/s2 or rad/s, rad/s2]
-    double from_row_to_row = 0;         ///< largest mean velocity between two rows
+    double from_row_to_row = 0;         ///< largest mean velocity between two rows [m/s or rad/s]
 };
 LargestOfTable largest_of_table(const std::vector<double>& times, const std::vector<double>& values);
 

@@ -7,13 +7,13 @@ namespace tw {
 
 /// A rigid wall: a body stays where normal . x >= offset.
 struct WallPlane {
-    Vec3 normal = Vec3::UnitZ();  ///< into the tank, of length one
+    Vec3 normal = Vec3::UnitZ();  ///< into the tank, of length one [-]
     double offset = 0;            ///< [m]
 };
 
 /// Impulse of walls on a body [N s], and its moment about the body's centre of mass [N m s].
 struct WallReaction {
-    Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();
+    Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();  ///< [N s], [N m s]
 };
 
 /// Contact of a free rigid body with walls: it does not go through them (Signorini), gives no rebound, and slides against

@@ -25,7 +25,7 @@ struct EffectChoice {
     bool forced = false;                   ///< the user said so
     std::string reason;                    ///< one sentence with the numbers
     std::string influence;                 ///< estimated influence on drag, lift, splash
-    double cost = 0;                       ///< what it costs, or would cost, as a fraction of a particle run without it
+    double cost = 0;                       ///< (would-be) cost as a fraction of a particle run without it [-]
     std::vector<EffectBound> bounds = {};  ///< of kinds of quantities, where a number is known
 };
 

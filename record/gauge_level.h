@@ -9,7 +9,7 @@ namespace tw {
 /// of the same gap that is.
 struct GaugePart {
     Stretch at;
-    double water = 0;
+    double water = 0;  ///< [-]
 };
 
 /// Elevation at a height probe [m], the same definition for every method. Solids cut the vertical line through the tank

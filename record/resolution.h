@@ -7,7 +7,7 @@ namespace tw {
 
 /// A box in which particles or cells are no larger than `size` [m].
 struct ResolvedBox {
-    double size = 0;
+    double size = 0;  ///< [m]
     Box box;
 };
 

@@ -17,8 +17,8 @@ namespace tw {
 
 /// Share of each voxel that is water, 0..255 for 0..1, x fastest; see RasterSpec.
 struct RasterFrame {
-    double time = 0;
-    std::vector<std::uint8_t> water;
+    double time = 0;                  ///< [s]
+    std::vector<std::uint8_t> water;  ///< one for each voxel
 };
 
 struct Phase {                 ///< where the time went
@@ -30,7 +30,7 @@ struct Phase {                 ///< where the time went
 /// where.
 struct CertificateLine {
     std::string name, unit;
-    double value = 0, limit = 0;
+    double value = 0, limit = 0;                                            ///< [unit]
     double time = 0;                                                        ///< [s]
     Vec3 place = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  ///< [m]; NaN where it belongs to no place
     bool met() const { return value <= limit; }
@@ -92,7 +92,7 @@ struct RunRecord {
     std::vector<BodyShape> bodies;               ///< that move and keep their shape; none in older records
     std::vector<Phase> phases;
     double peak_memory = 0;          ///< [bytes]
-    double elements = 0, steps = 0;  ///< particles or cells; time steps
+    double elements = 0, steps = 0;  ///< particles or cells [-]; time steps
     std::vector<EffectChoice> effects;
     std::vector<CertificateLine> certificate;  ///< of the whole run, begun and resumed; empty in older records
     /// The domain with its largest size, and where the run was finer at its end; empty where it is not known.

@@ -25,13 +25,13 @@ namespace tw {
 // filled in. Axes: x to the stern (the stream's direction), z up, still water at z = 0.
 
 struct Water {
-    double density = 1000;              ///< [kg/m3]
-    double kinematic_viscosity = 1e-6;  ///< [m2/s]
-    double surface_tension = 0.072;     ///< [N/m]
-    double gravity = 9.81;              ///< [m/s2], along -z
-    double depth = 0;                   ///< [m], of the solved water (domain floor at z = -depth)
-    double air_density = 1.2;           ///< [kg/m3]
-    double air_kinematic_viscosity = 1.5e-5;
+    double density = 1000;                    ///< [kg/m3]
+    double kinematic_viscosity = 1e-6;        ///< [m2/s]
+    double surface_tension = 0.072;           ///< [N/m]
+    double gravity = 9.81;                    ///< [m/s2], along -z
+    double depth = 0;                         ///< [m], of the solved water (domain floor at z = -depth)
+    double air_density = 1.2;                 ///< [kg/m3]
+    double air_kinematic_viscosity = 1.5e-5;  ///< [m2/s]
     double atmospheric_pressure = 101325, vapour_pressure = 2340;  ///< [Pa], for cavitation
 };
 
@@ -50,9 +50,9 @@ struct Hull {
     /// Two dimensions: the surface is the section with the plane y = 0, drawn out to a span of one metre. Volumes and
     /// areas are then per metre of span, and so is everything that a run reports.
     bool section = false;
-    bool half = false;  ///< symmetric about y = 0: one half is solved, results are for the whole
-    double trim = 0, heel = 0, draft = 0;
-    double length = 0, beam = 0;  ///< of the posed bounding box; of a section the beam is its metre of span
+    bool half = false;                     ///< symmetric about y = 0: one half is solved, results are for the whole
+    double trim = 0, heel = 0, draft = 0;  ///< [rad], [rad], [m]
+    double length = 0, beam = 0;  ///< of the posed bounding box [m]; of a section the beam is its metre of span
     MassProperties mass;
     Hydrostatics still;            ///< of the part below z = 0
     std::optional<FreeHull> free;  ///< none: held as it stands
@@ -97,7 +97,7 @@ struct Resolution {
     double near_hull = 0;  ///< particle spacing dp, and cell size at the wetted hull [m]
     /// Both sizes were multiplied by this. Levels of refinement follow from the sizes without it, so that all scales of
     /// one scene are one family of similar meshes.
-    double scale = 1;
+    double scale = 1;  ///< [-]
     /// Particles far away are to have `spacing` too. What there is no room for, which depends on the sizes, is left out;
     /// the box, which is the same for a family, follows from this alone.
     bool of_particles = false;
@@ -136,7 +136,7 @@ struct MovingBody {
     std::vector<Finding> findings;
     double filter = 0;  ///< the largest force is a mean over this time [s]; 0: 5 ms
     /// Of a free rigid body with floor and sides of a tank: Coulomb's coefficient [-].
-    double friction = default_friction;
+    double friction = default_friction;  ///< [-]
     static constexpr double default_friction = 0.5;
     /// Of an elastic body, whose surface is that which the water sees and whose motion that of its rigid counterpart.
     std::optional<ElasticPart> elastic = {};
@@ -158,7 +158,7 @@ struct PressureProbe {
 struct HeightProbe {
     std::string name;
     double x = 0, y = 0;  ///< [m]
-    double filter = 0;    ///< as a pressure probe's
+    double filter = 0;    ///< as a pressure probe's [s]
 };
 
 struct Sampling {
@@ -184,8 +184,8 @@ struct Run {
 };
 
 struct FvmOptions {
-    double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without
-    double interface_compression = 2;               ///< cAlpha
+    double max_courant = 0, max_alpha_courant = 0;  ///< as written, else 4 in a stream and 1 without [-]
+    double interface_compression = 2;               ///< cAlpha [-]
     std::string interface = "mules";                ///< how the water's surface is captured: mules, isoadvector
     bool captures_geometrically() const { return interface == "isoadvector"; }
     int correctors = 3;
@@ -239,12 +239,12 @@ struct SceneOverrides {
     std::optional<double> speed, spacing, near_hull, duration;
     std::optional<double> trim;                   ///< [rad]
     std::optional<double> scale_resolution = {};  ///< multiplies both sizes, see Resolution
-    double sound_speed_factor = 1;                ///< multiplies c0
-    double time_step_factor = 1;                  ///< multiplies the acoustic Courant number of SPH
-    double courant_factor = 1;                    ///< multiplies both Courant numbers of the FVM
+    double sound_speed_factor = 1;                ///< multiplies c0 [-]
+    double time_step_factor = 1;                  ///< multiplies the acoustic Courant number of SPH [-]
+    double courant_factor = 1;                    ///< multiplies both Courant numbers of the FVM [-]
     /// Multiplies the distances at which the box of a hull in a stream ends: ahead, behind, sides and floor; never a
     /// symmetry plane, a bed or the top. The particles' sound speed stays as without it.
-    double box_factor = 1;
+    double box_factor = 1;                     ///< [-]
     std::map<std::string, bool> effects = {};  ///< effects forced on or off
     std::string device = {};                   ///< empty: the scene's
     std::string interface = {};                ///< how the mesh method captures the surface; empty: the scene's
@@ -257,22 +257,22 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
 /// What one method's run is expected to take.
 struct MethodCost {
     std::string method = {};
-    double elements = 0;    ///< particles of water and air in the mean of the run, or cells
-    double with_walls = 0;  ///< those, and the particles in walls
-    double most = 0;        ///< of those for which there must be memory
-    double seconds = 0, bytes = 0, steps = 0;
-    std::string in_words = {};  ///< of the elements: "4.56e+04 particles + 1.2e+03 in walls"
+    double elements = 0;                       ///< particles of water and air in the mean of the run, or cells [-]
+    double with_walls = 0;                     ///< those, and the particles in walls [-]
+    double most = 0;                           ///< of those for which there must be memory [-]
+    double seconds = 0, bytes = 0, steps = 0;  ///< [s], [bytes], [-]
+    std::string in_words = {};                 ///< of the elements: "4.56e+04 particles + 1.2e+03 in walls"
     /// Keys of the method's own section that may make a run long, and by how many times their values do so here.
     std::vector<std::pair<std::string, double>> lengthened_by = {};
 };
 /// Predicted size of a run, from the geometry and a throughput table; no solving.
 struct Prediction {
     /// Of water, in the mean of a run whose water runs into finer zones (scene/particles/particles_of_sizes.h).
-    double particles = 0;
-    double particles_at_start = 0, most_particles = 0;  ///< of water: then, and for which there must be memory
-    double wall_particles = 0, air_particles = 0, cells = 0;
-    double frames = 0, raster_bytes = 0;  ///< samples of the water raster, and their memory (part of each method's)
-    double snapshots = 0;                 ///< moments at which ParaView files are written
+    double particles = 0;                               ///< [-]
+    double particles_at_start = 0, most_particles = 0;  ///< of water: then, and for which there must be memory [-]
+    double wall_particles = 0, air_particles = 0, cells = 0;  ///< [-]
+    double frames = 0, raster_bytes = 0;  ///< samples of the water raster [-] and their memory [bytes]
+    double snapshots = 0;                 ///< moments at which ParaView files are written [-]
     std::vector<MethodCost> costs;        ///< of each method that was asked
 
     const MethodCost& of(const std::string& method) const;  ///< throws std::logic_error: it was not asked
@@ -282,7 +282,7 @@ struct Prediction {
 struct CostOf {
     std::string method;
     MethodCost (*predict)(const Scene& scene, const Prediction& size, double pace) = nullptr;
-    double pace = 1;
+    double pace = 1;  ///< [-]
 };
 Prediction predict(const Scene& scene, const std::vector<CostOf>& methods);
 /// The same in two: all but the costs, and the cost of one method.

@@ -30,8 +30,8 @@ struct SimulationSetup : Surroundings, LevelSetup, TimeOptions {
     /// As many zones for where the moving bodies are at some time, in the order of `bodies`. Asked after each step of
     /// the coarsest level. Not given: the zones stay.
     std::function<std::vector<Zone>(std::span<const MovedSolid> moving)> zones_round;
-    Vec3 moment_reference = Vec3::Zero();
-    int threads = 0;  ///< that make the steps; 0: as many as work already
+    Vec3 moment_reference = Vec3::Zero();  ///< [m]
+    int threads = 0;                       ///< that make the steps; 0: as many as work already
 };
 
 /// The blocks of water: those that touch or overlap are one water, divided into boxes that do not overlap.

@@ -52,7 +52,7 @@ struct SprayStudy {
     ExtractOptions extraction;
     std::shared_ptr<const Air> air;
     bool refuse_left_air = true;  ///< a droplet that leaves the air field ends the study; false: its flight only
-    double duration = 1;          ///< of flight, after the last droplet was let go [s]
+    double duration = 1;          ///< of flight, after the last droplet was released [s]
     FlightOptions flight;         ///< end_time, water_density and gravity are filled in
     std::vector<TargetSurface> targets;
     std::optional<SensorStudy> sensor;

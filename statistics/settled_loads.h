@@ -17,12 +17,12 @@ namespace tw {
 /// comparison takes the mean of a run that was ended so as known to `known_to` of its scale at best. How often these
 /// intervals hold the truth then: docs/results/settled.md.
 struct SettledStop {
-    double interval = 0.015;
-    double lacking = 0.0075;
-    double between_looks = 0.03;
+    double interval = 0.015;      ///< half width over the scale [-]
+    double lacking = 0.0075;      ///< over the scale [-]
+    double between_looks = 0.03;  ///< growth of the number of frames [-]
     /// Period of waves that the start leaves [s], 0: none. With one, the means over the last two whole periods and over
     /// the last one lie within `interval` of each other, and a run ends a whole number of periods after means begin.
-    double period = 0;
+    double period = 0;  ///< [s]
     static constexpr double known_to = 0.02;
 };
 

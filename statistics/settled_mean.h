@@ -8,13 +8,13 @@ namespace tw {
 /// 95 % interval of a settled mean, or why there is none.
 struct SettledMean {
     bool known = false;
-    double value = std::numeric_limits<double>::quiet_NaN();
-    double half_width = std::numeric_limits<double>::quiet_NaN();  ///< of the 95 % interval of the mean alone
+    double value = std::numeric_limits<double>::quiet_NaN();       ///< [unit of the series]
+    double half_width = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval of the mean alone [its unit]
     double from = 0, to = 0;                                       ///< the window used [s]
-    double n_effective = 0;
-    std::string why_not;        ///< "record too short: about 0.8 s more is needed"
+    double n_effective = 0;                                        ///< number of independent samples [-]
+    std::string why_not;                                           ///< "record too short: about 0.8 s more is needed"
     double seconds_needed = 0;  ///< > 0: not known because the record is too short, by about this much [s]
-    double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< half width by overlapping batch means
+    double second_opinion = std::numeric_limits<double>::quiet_NaN();  ///< by overlapping batch means [its unit]
     std::string limited_by;  ///< what makes the interval as wide as it is, where that is not the series: "half a voxel"
     bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 };
@@ -23,11 +23,11 @@ struct SettledMean {
 struct SettledRules {
     double from = 0;                    ///< no sample before this time counts [s]
     double flow_through = 0;            ///< length over speed [s]; 0: no such rule
-    double fewest_flow_throughs = 1.5;  ///< after the cut
-    double fewest_independent = 10;     ///< n_eff
-    double largest_error = 0.02;        ///< standard error over |mean|
+    double fewest_flow_throughs = 1.5;  ///< after the cut [-]
+    double fewest_independent = 10;     ///< n_eff [-]
+    double largest_error = 0.02;        ///< standard error over |mean| [-]
     /// A standard error below this is fine whatever the mean; single values are no better [unit of the series].
-    double allowed_error = 0;
+    double allowed_error = 0;  ///< [unit of the series]
 };
 
 /// The mean of a series after its transient, with its 95 % interval:

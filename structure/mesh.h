@@ -21,9 +21,9 @@ struct ShellMesh {
 /// A solid: hexahedra in the order of VTK (the lower face counter-clockwise seen from above, then the upper one), and
 /// the quadrilaterals of its named surfaces, outward.
 struct SolidMesh {
-    std::vector<Vec3> nodes;  ///< [m]
-    std::vector<std::array<int, 8>> hexahedra;
-    std::vector<int> material;  ///< of each hexahedron
+    std::vector<Vec3> nodes;                    ///< [m]
+    std::vector<std::array<int, 8>> hexahedra;  ///< places of the corners among the nodes
+    std::vector<int> material;                  ///< of each hexahedron
     NodeSets sets;
     std::map<std::string, std::vector<std::array<int, 4>>> surfaces;
 };

@@ -11,7 +11,7 @@ namespace tw::structure {
 /// times, and beyond them that of the first and the last.
 struct PressureHistory {
     std::vector<double> time;               ///< [s], rising
-    std::vector<Eigen::VectorXd> pressure;  ///< one value for each element [Pa]
+    std::vector<Eigen::VectorXd> pressure;  ///< for each time one value per element [Pa]
     Eigen::VectorXd at(double t) const;
     double longest_gap() const;  ///< between two times [s]
 };
@@ -28,8 +28,8 @@ struct ShellConditions {
 /// How a shell moves, at the end of each step; the start first.
 struct ShellHistory {
     std::vector<double> time;                      ///< [s]
-    std::vector<std::vector<double>> strains;      ///< of each gauge [-]
-    std::vector<std::vector<Vec3>> displacements;  ///< of each point [m]
+    std::vector<std::vector<double>> strains;      ///< of each gauge, one for each time [-]
+    std::vector<std::vector<Vec3>> displacements;  ///< of each point, one for each time [m]
 };
 
 /// The shell under a pressure that does not feel how it moves, from the history's first time to its last, along the

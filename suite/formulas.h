@@ -11,7 +11,7 @@ namespace tw {
 struct TruthFormula {
     struct Parameter {
         std::string name, unit;
-        double fallback = nan;  ///< nan: it has to be given
+        double fallback = nan;  ///< nan: it has to be given [unit]
     };
     std::string name, unit;
     std::vector<Parameter> parameters;

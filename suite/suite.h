@@ -21,7 +21,7 @@ struct SuiteScene {
     SceneOverrides changes = {};
     std::vector<std::string> methods = {};  ///< empty: the scene's
     int levels = 3;                         ///< sizes, the scene's own and coarser ones
-    double ratio = 1.4142135623730951;      ///< of neighbouring sizes
+    double ratio = 1.4142135623730951;      ///< of neighbouring sizes [-]
     /// What is not known of the scene, by key of its [uncertain] section: trim and speed, half widths in SI.
     std::map<std::string, double> uncertain = {};
 };

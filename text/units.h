@@ -20,7 +20,7 @@ struct UnitError : std::runtime_error {
 /// Dimension and SI factor of a unit expression: symbols with integer powers, joined by '*', '.', blank or '/', e.g.
 /// "m/s", "kg/m^3", "m2/s", "N/m", "-" (none). Throws UnitError for an unknown symbol.
 struct Unit {
-    double factor = 1;
+    double factor = 1;  ///< to SI [-]
     Dimension dimension;
 };
 Unit parse_unit(std::string_view text);

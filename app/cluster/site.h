@@ -11,7 +11,7 @@ struct Site {
     std::string gpus;                  ///< as --gpus of sbatch has it
     std::string time;                  ///< the longest a job may ask for, a text with unit
     std::vector<std::string> modules;  ///< loaded in this order
-    std::string container;             ///< what stands before the program, e.g. "apptainer exec twinwake.sif"
+    std::string container;             ///< words in front of the program, e.g. "apptainer exec twinwake.sif"
     std::string program;               ///< of the nodes; empty: this one
     int cores = 0;                     ///< at most for one run; 0: 32
     int limit = 0;                     ///< runs of one array at a time; 0: any number

@@ -46,7 +46,7 @@ struct AblationChange {
     std::string name, label, unit;
     MeanValue before, after;
     double difference = nan, interval = nan;         ///< [unit]
-    double per_cent = nan, per_cent_interval = nan;  ///< over S
+    double per_cent = nan, per_cent_interval = nan;  ///< over S [%]
     Seen seen = Seen::not_known;
     std::string predicted;  ///< what the plan says of the effect's influence on it; empty: nothing
     std::string remark;     ///< why it is not known

@@ -20,9 +20,9 @@ struct LadderRun {
     std::string title, method;
     std::filesystem::path file;            ///< its record; empty: none on disk
     double spacing = 0;                    ///< at the hull [m]
-    double elements = 0;                   ///< particles or cells
-    double element_sizes = 1;              ///< how many sizes of particles it has; 1 where its record tells of none
-    double steps = 0;                      ///< of time; 0: not recorded
+    double elements = 0;                   ///< particles or cells [-]
+    double element_sizes = 1;              ///< how many sizes of particles it has [-]; 1 where its record tells of none
+    double steps = 0;                      ///< of time [-]; 0: not recorded
     double seconds = 0, core_seconds = 0;  ///< everything counted: wall, processor time [s]
     double memory = 0;                     ///< peak [bytes]
     double predicted_seconds = 0;          ///< as said before the run [s]; 0: not said
@@ -42,10 +42,10 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options = {});
 /// A run that differs from the ladder's own of the same method and size in one choice that should not matter; `factor`
 /// and `steps` as in Varied.
 struct LadderVariation {
-    std::string name;  ///< "sound speed x 1.5"
-    double factor = 1;
+    std::string name;   ///< "sound speed x 1.5"
+    double factor = 1;  ///< [-]
     LadderRun run;
-    double steps = 1;
+    double steps = 1;          ///< [-]
     bool box = false;          ///< a wider box: its change counts in all methods, relative to the value
     std::string refused = {};  ///< why it is no evidence; filled by build_ladder
 };
@@ -60,9 +60,9 @@ struct LadderSide {
 
 /// What one variation says of one quantity [its unit].
 struct Sensitivity {
-    std::string name;    ///< with the method that ran it where that is the other one
-    double spacing = 0;  ///< of the two runs [m]
-    double value = 0, varied = 0, uncertainty = 0;
+    std::string name;                               ///< with the method that ran it where that is the other one
+    double spacing = 0;                             ///< of the two runs [m]
+    double value = 0, varied = 0, uncertainty = 0;  ///< [unit of the quantity]
     bool box = false;
     std::string refused = {};  ///< why it is no evidence and has no uncertainty
     /// The same but for rounding: what was varied does not bind in this run, so it says nothing.
@@ -70,7 +70,7 @@ struct Sensitivity {
 };
 
 /// One method's finest value S against one from elsewhere D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The
-/// verdict is holds() of decide.h: agree and undecided hold the measurement within U_val, differ does not.
+/// verdict is holds() of decide.h: agree and undecided contain D within U_val, differ does not. [unit of the quantity]
 struct Validation {
     double E = std::numeric_limits<double>::quiet_NaN(), U_val = std::numeric_limits<double>::quiet_NaN();
     double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< E over |D| [%]
@@ -89,25 +89,25 @@ struct LadderValue {
     std::vector<StudyLevel> levels;                                 ///< the levels whose mean is known, finest first
     std::vector<double> half_widths;                                ///< of each level's 95 % interval
     std::vector<std::string> absent;                                ///< why a level is missing, with its spacing
-    double statistical = std::numeric_limits<double>::quiet_NaN();  ///< half width of the finest level's 95 % interval
+    double statistical = std::numeric_limits<double>::quiet_NaN();  ///< 95 % half width at the finest level [unit]
     Estimate estimate;                                              ///< of the resolution; no levels: nothing known
     std::vector<Sensitivity> sensitivities;
-    double choices = 0, box = 0;  ///< roots of the sums of their squares: the box, and all others
-    double own = std::numeric_limits<double>::quiet_NaN();          ///< of the finest value: all but the box
-    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above
+    double choices = 0, box = 0;  ///< roots of the sums of their squares: the box, and all others [unit]
+    double own = std::numeric_limits<double>::quiet_NaN();          ///< of the finest value: all but the box [unit]
+    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above [unit]
     CostOfAccuracy cost, cost_in_cores, cost_in_memory;             ///< against wall time, processor time, memory
 };
 
 /// How far one side is from another in one quantity, and what that says.
 struct LadderDifference {
     std::size_t a = 0, b = 1;  ///< places of the two among the sides
-    double size = 0;  ///< what per cent and target refer to: mean of the finest values, or the quantity's own scale
-    double difference = std::numeric_limits<double>::quiet_NaN();  ///< of the finest values, side b - side a
-    double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval
+    double size = 0;  ///< reference of per cent and target: mean of the finest values, or the quantity's scale [unit]
+    double difference = std::numeric_limits<double>::quiet_NaN();  ///< of the finest values, side b - side a [unit]
+    double interval = std::numeric_limits<double>::quiet_NaN();    ///< half width of its 95 % interval [unit]
     double per_cent = std::numeric_limits<double>::quiet_NaN();    ///< difference over the size [%]
     Verdict verdict = Verdict::not_comparable;
     std::string reason = {};
-    double seconds_to_target = std::numeric_limits<double>::quiet_NaN();  ///< wall time of runs that would decide it
+    double seconds_to_target = std::numeric_limits<double>::quiet_NaN();  ///< wall time of runs that decide it [s]
 };
 
 /// Its own difference is that of the only two sides, or of the pair that lies farthest apart in units of its interval.
@@ -130,7 +130,7 @@ struct Ladder {
     std::vector<std::string> calibrated;  ///< what was chosen by looking at results, as the records say
     std::vector<LadderSide> sides;
     std::vector<LadderQuantity> quantities;
-    double agree_within = 0.05;
+    double agree_within = 0.05;  ///< [-]
 };
 
 /// Finished runs of one scene at several sizes, of any number of methods and imports, in any order. The size of a level

@@ -6,10 +6,10 @@ namespace tw {
 
 /// A prismatic planing hull in fresh or sea water.
 struct PlaningState {
-    double beam = 0;                ///< [m]
-    double deadrise = 0, trim = 0;  ///< [rad]
-    double speed = 0;               ///< [m/s]
-    double density = 1000, kinematic_viscosity = 1e-6, gravity = 9.81;
+    double beam = 0;                                                    ///< [m]
+    double deadrise = 0, trim = 0;                                      ///< [rad]
+    double speed = 0;                                                   ///< [m/s]
+    double density = 1000, kinematic_viscosity = 1e-6, gravity = 9.81;  ///< [kg/m3], [m2/s], [m/s2]
 };
 
 /// Savitsky, "Hydrodynamic design of planing hulls", Marine Technology 1(1), 1964, with ITTC-57 friction, no roughness

@@ -41,7 +41,7 @@ struct PlotBox {
 /// A solid's shadow: at each x, `step` apart, it covers [low, high]; an x may come several times.
 struct PlotShadow {
     double step = 0;
-    std::vector<double> x, low, high;
+    std::vector<double> x, low, high;  ///< of equal length, in the plot's units
 };
 
 struct Plot {

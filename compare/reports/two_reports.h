@@ -12,9 +12,9 @@ struct ReportChange {
     std::string quantity, label, unit;
     std::string run;  ///< name of the run, which both reports have
     ReportedValue first, second;
-    double difference = 0;  ///< second - first; nan: one is not known
+    double difference = 0;  ///< second - first [unit]; nan: one is not known
     /// Half width of its interval: root of both squares, as of independent values. nan: one of them has none.
-    double interval = 0;
+    double interval = 0;       ///< [unit]
     std::string why_not = {};  ///< no difference is taken: the reason
 
     bool beyond_interval() const;

@@ -24,17 +24,17 @@ Outcome outcome_of(const std::string& name);  ///< throws std::out_of_range
 /// One method's value of one quantity. Half widths are of 95 % intervals [unit].
 struct ValidatedValue {
     std::string method;
-    double value = nan;
-    double statistical = nan, discretisation = nan, choices = nan;  ///< parts of U_num: scatter of the mean, sizes, box
-    double input = 0;                                               ///< what is not known of the scene
-    double outer_below = nan, outer_above = nan;   ///< U_num with what the run leaves out; nan: nothing has a bound
+    double value = nan;                                             ///< [unit]
+    double statistical = nan, discretisation = nan, choices = nan;  ///< parts of U_num [unit]: scatter, sizes, box
+    double input = 0;                                               ///< what is not known of the scene [unit]
+    double outer_below = nan, outer_above = nan;   ///< with what the run leaves out [unit]; nan: nothing has a bound
     double order = nan;                            ///< observed [-]; nan: none
     std::string convergence;                       ///< monotone, scattered, ...
     std::vector<std::pair<double, double>> sizes;  ///< spacing at the hull [m] and value, finest first
     std::string why_not;                           ///< why there is no value, or no interval
 
     // what judge_against makes of them
-    double E = nan, U_num = nan, U_val = nan;
+    double E = nan, U_num = nan, U_val = nan;  ///< [unit]
     Outcome outcome = Outcome::not_run;
 
     bool holds() const { return E <= U_val && -E <= U_val; }
@@ -96,7 +96,7 @@ struct FamilySummary {
     int narrow = 0, narrow_inner = 0;  ///< U_num below 15 % of the value; of these |E| <= U_val
     int met = 0, fall_short = 0;
     double median_error = nan;  ///< |E| over the scale, of all that have a value [%]
-    double core_seconds = 0;
+    double core_seconds = 0;    ///< [s]
 };
 inline constexpr double narrow_share = 0.15;
 /// All families together first, then each in the order of the cases; methods in the order of methods().

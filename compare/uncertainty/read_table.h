@@ -12,7 +12,7 @@ struct RefinementTable {
         std::vector<double> values;  ///< one per row
         /// Half a unit of the last place that the column's cells are written to, the finest of them: a program that
         /// prints %g leaves trailing zeros out.
-        double rounding = 0;
+        double rounding = 0;  ///< [unit of the column]
     };
     std::string spacing_name;     ///< as written, or what was made of it: "(cells)^(-1/3)"
     std::vector<double> spacing;  ///< one per row, in the order of the file, > 0; size_column.h

@@ -15,7 +15,7 @@ struct LeftOut {
     std::string name;       ///< of the effect, as people say it
     std::string influence;  ///< in short what is expected of it: "3 to 5 %"; empty: no plan speaks of it
     double bound = nan;     ///< the most that is expected, to the wider side [unit of the quantity]; nan: no number
-    double below = 0, above = 0;  ///< how far the truth may lie below and above the value, where there is a number
+    double below = 0, above = 0;  ///< distance of the truth below and above the value [unit], where there is a number
 };
 /// What one run leaves out of a quantity (quantity_kinds.h):
 ///
@@ -39,7 +39,7 @@ inline constexpr double gate_time = 0.13;
 /// the bounds of what its run leaves out, each taken as a 95 % half width. nan: the value has no interval, or nothing left
 /// out has a bound.
 struct OuterInterval {
-    double below = nan, above = nan;
+    double below = nan, above = nan;  ///< [unit]
 };
 OuterInterval outer_interval(const Quantity& quantity, const MeanValue& value, const RunRecord& run);
 /// The wider of the two: half width of the interval about the value that holds the outer one.

@@ -42,7 +42,7 @@ struct CloudCase {
 struct ParcelState {
     std::size_t parcel = 0;  ///< place in CloudCase::parcels
     double age = 0;          ///< [s] since it was let go: OpenFOAM spreads injections over its first step
-    Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
+    Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();  ///< [m], [m/s]
 };
 
 inline constexpr const char* cloud_solver = "icoUncoupledKinematicParcelFoam";

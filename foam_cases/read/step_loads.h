@@ -8,8 +8,8 @@ namespace tw {
 /// Pressure and viscous parts (and their moments) from the `forces` function object, in the order force x y z [N],
 /// moment x y z [N m], in the case's own axes.
 struct StepLoads {
-    std::vector<double> time;  ///< [s]
-    std::vector<std::array<double, 6>> pressure, viscous;
+    std::vector<double> time;                              ///< [s]
+    std::vector<std::array<double, 6>> pressure, viscous;  ///< one for each time [N, N m]
 };
 
 /// Reads the loads of one function object (`folder`: postProcessing/<its name>), the solver's starts joined; times that

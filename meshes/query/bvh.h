@@ -15,7 +15,7 @@ public:
     explicit Bvh(const Surface& surface);
 
     struct Corners {
-        Vec3 a, b, c;
+        Vec3 a, b, c;  ///< [m]
         int triangle;  ///< index in the surface
     };
 
@@ -45,7 +45,7 @@ public:
         if (nodes_.empty()) return;
         struct Entry {
             std::uint32_t node;
-            double distance2;
+            double distance2;  ///< [m2]
         } stack[deepest];
         int top = 0;
         stack[top++] = {0, distance2(nodes_[0].box, p)};

@@ -28,7 +28,7 @@ double ray_distance(const Vec3& origin, const Vec3& d, const Vec3& a, const Vec3
 /// What of a triangle lies nearest: its face, the edge from corner k to k + 1, or corner k.
 enum class Feature { face, edge0, edge1, edge2, corner0, corner1, corner2 };
 struct NearestOnTriangle {
-    Vec3 point;
+    Vec3 point;  ///< [m]
     Feature feature;
 };
 /// Nearest point of a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).

@@ -7,7 +7,7 @@ namespace tw {
 
 /// A stretch of a vertical line [m].
 struct Stretch {
-    double low = 0, high = 0;
+    double low = 0, high = 0;  ///< [m]
     double length() const { return high - low; }
 };
 
@@ -21,7 +21,7 @@ public:
 
 private:
     struct Face {
-        double z;
+        double z;    ///< [m]
         int enters;  ///< 1: upwards a solid begins there; -1: one ends
     };
     double x_, y_;

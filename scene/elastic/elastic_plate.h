@@ -32,7 +32,7 @@ struct ElasticPlate {
     /// From a file, as it lies there [m]; null: the rectangle. Supports then name its node sets.
     std::shared_ptr<const structure::ShellMesh> mesh;
     std::vector<structure::Ply> plies;
-    Vec3 middle = Vec3::Zero();
+    Vec3 middle = Vec3::Zero();                         ///< [m]
     double trim = 0;                                    ///< [rad]
     std::vector<std::string> clamped, hinged, carried;  ///< edges x_min, x_max, y_min, y_max, or node sets
     double total_mass = 0;                              ///< of plate and carrying frame; 0: no frame [kg]
@@ -43,7 +43,7 @@ struct ElasticPlate {
     bool large_rotations = true;
     std::string coupling = "pressure";  ///< pressure, penalty or background: how it and the water meet
     std::string contact = "linear";     ///< law of a penalty contact: linear, nonlinear or adaptive
-    double contact_factor = 0.01;       ///< of its stiffness
+    double contact_factor = 0.01;       ///< of its stiffness [-]
     int coupling_iterations = 1;        ///< of water and plate in each step
     double damping = 0;                 ///< [1/s]
     double largest_step = 0;            ///< of the structure [s]; 0: the water's

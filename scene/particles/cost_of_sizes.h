@@ -8,7 +8,7 @@ namespace tw {
 /// What one of several sizes of particles takes of a predicted run.
 struct CostOfSize {
     ParticlesOfSize particles;      ///< in the mean
-    double bytes = 0, seconds = 0;  ///< its parts of the run's memory (the water raster is in none) and time
+    double bytes = 0, seconds = 0;  ///< its parts of memory (without the water raster) [bytes] and time [s]
     double dt = 0;                  ///< time step [s]
 };
 

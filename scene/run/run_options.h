@@ -24,7 +24,7 @@ struct RunOptions {
     bool resume = false;           ///< go on from the last checkpoint; without it a folder that holds a run is refused
     bool overwrite = false;        ///< begin anew in a folder that holds a run
     int threads = 0;               ///< 0: all cores (OpenMP threads; MPI ranks for the FVM side)
-    /// As said before the run; go into its record; 0: not said.
+    /// As said before the run [s], [-], [bytes], [-]; go into its record; 0: not said.
     double predicted_seconds = 0, predicted_elements = 0, predicted_bytes = 0, predicted_steps = 0;
     const Prediction* prediction = nullptr;  ///< of the scene, where it has been made; it has to outlive the run
     std::string command;  ///< that makes the run again, a word a line; goes into its record; empty: not said

@@ -22,7 +22,7 @@ QuietLayer quiet_layer(const Scene& scene);
 /// How fast a body goes through the water, and what it meets there.
 struct SlowBody {
     double speed = 0, size = 0;  ///< U [m/s]; D: diameter of the circle or sphere of its volume [m]
-    double reynolds = 0;         ///< U D / nu
+    double reynolds = 0;         ///< U D / nu [-]
     double dynamic = 0;          ///< rho U^2 + rho nu U / D [Pa]
     double hydrostatic = 0;      ///< where it is at the start [Pa]
 };

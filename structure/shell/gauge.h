@@ -9,7 +9,7 @@ namespace tw::structure {
 struct Gauge {
     std::string name;
     Vec3 position = Vec3::Zero();    ///< the nearest place of the mid-surface is meant [m]
-    Vec3 direction = Vec3::UnitX();  ///< along which it is strained; its part within the element's plane counts
+    Vec3 direction = Vec3::UnitX();  ///< along which it is strained [-]; its part within the element's plane counts
     bool top = true;                 ///< on the face out of which the normal points
 };
 

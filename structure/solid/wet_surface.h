@@ -22,8 +22,8 @@ public:
     /// The place of the faces that is nearest to a point, by its shares of a face's four nodes, and what is left.
     struct Foot {
         std::array<int, 4> nodes{};
-        std::array<double, 4> shares{};
-        Vec3 arm = Vec3::Zero();  ///< from the foot to the point [m]
+        std::array<double, 4> shares{};  ///< [-], their sum is 1
+        Vec3 arm = Vec3::Zero();         ///< from the foot to the point [m]
     };
     Foot foot(const Vec3& at_start) const;
 

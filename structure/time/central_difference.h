@@ -18,7 +18,7 @@ public:
     /// Of the unknown freedoms: place, velocity, the force there, and time. A restart needs these alone.
     struct State {
         Eigen::VectorXd q, v, f;
-        double t = 0;
+        double t = 0;  ///< [s]
     };
 
     /// Throws RunError for a freedom without mass.
