@@ -12,9 +12,9 @@ const char* const about_uncertainty =
     "In its place may stand a count, N (\"cells\", \"particles\", \"nodes\"), whose spacing is N^(-1/d) with d from\n"
     "--dimensions or the header (\"cells (3d)\"), or a number per length (\"cells per beam\").\n"
     "Commas, semicolons or tabs; lines that begin with # and empty lines are skipped; rows in any order.\n"
-    "From three levels on U comes from a fit of trend and noise. Beside it stand the least squares of Eca & Hoekstra\n"
-    "(2014; four levels), and of the three finest levels the grid convergence index of Celik et al. (2008) and the\n"
-    "factor of safety of Xing & Stern (2010). Two levels: the order is assumed (--order), the factor is 3. One: no U.\n"
+    "From three sizes on U comes from a fit of trend and noise. Beside it stand the least squares of Eca & Hoekstra\n"
+    "(2014; four sizes), and of the three finest sizes the grid convergence index of Celik et al. (2008) and the\n"
+    "factor of safety of Xing & Stern (2010). Two sizes: the order is assumed (--order), the factor is 3. One: no U.\n"
     "U is meant as half the width of a 95 % interval about the finest value. That a table does not converge is\n"
     "a result, not an error: the exit status is 0.\n\n";
 
@@ -51,7 +51,7 @@ const char* const about_openfoam =
     "                     program runs in OpenFOAM's environment; the run's folder has the same path there (--bind)\n"
     "  neither            Debian's package with the interFoam of tools/build_openfoam_solvers.sh, then the usual "
     "places\n"
-    "Walls that let water go and zones that absorb waves need libraries; tools/build_openfoam_walls.sh builds them for "
+    "Separation at walls (ventilation) and forcing zones need libraries; tools/build_openfoam_walls.sh builds them for "
     "the\n"
     "release that is loaded.\n";
 

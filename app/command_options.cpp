@@ -33,8 +33,9 @@ void add_scene(CLI::App& c, SceneArguments& scene) {
     c.add_option("--trim", scene.trim, "bow up, instead of the scene's, e.g. \"5 deg\"");
     c.add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     c.add_option("--spacing", scene.spacing, "largest size instead of the scene's");
-    c.add_option("--scale", scene.scale,
-                 "all sizes times this number, levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
+    c.add_option(
+        "--scale", scene.scale,
+        "all sizes times this number, refinement levels kept: 2, 1.4142 and 1 make similar meshes, for convergence");
     c.add_option("--duration", scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
     c.add_option("--device", scene.device,
                  "what makes the particles' steps: cpu, gpu, or auto for a GPU where one can, instead of the scene's")
@@ -102,13 +103,13 @@ void add_site(CLI::App& c, SubmitOptions& submit) {
         c.add_option("--partition", site.partition, "partition of the jobs"),
         c.add_option("--qos", site.qos, "quality of service"),
         c.add_option("--time", site.time,
-                     "the longest a job may ask for, e.g. 12h; a run that needs longer goes on in the next job")
+                     "the longest a job may ask for, e.g. 12h; a run that needs longer continues in the next job")
             ->type_name("TIME"),
         c.add_option("--cores", site.cores, "at most for one run (32)")->check(CLI::Range(1, 4096)),
         c.add_option("--gpus", site.gpus, "as sbatch --gpus has it; not for interFoam"),
         c.add_option("--limit", site.limit, "runs of one array at a time")->check(CLI::Range(1, 100000)),
         c.add_option("--modules", site.modules, "module to load; can be given again")->allow_extra_args(false),
-        c.add_option("--container", site.container, "what stands before the program, e.g. \"apptainer exec tw.sif\""),
+        c.add_option("--container", site.container, "words in front of the program, e.g. \"apptainer exec tw.sif\""),
         c.add_option("--site", submit.site_file, "site file with these and `program` (TOML), see below")
             ->type_name("FILE"),
         c.add_flag("--dry-run", submit.dry_run, "write the scripts, print what would be submitted, and submit nothing"),
@@ -133,7 +134,8 @@ void check_options(CLI::App& c, CheckCommand& check) {
     add_scene(c, check.scene);
     add_threads(c, check.threads, "predict for this many threads (particles) and ranks (mesh); all cores unless given");
     add_ranks(c, check.ranks,
-              "say what each of so many processes takes that share the particles (MPI), instead of the scene's");
+              "predict the memory and time of each of so many processes that share the particles (MPI), instead of the "
+              "scene's number");
     c.add_option("--picture", check.picture,
                  "SVG file to write: side and plan view of the sizes of particles and cells round the hull");
 }
@@ -153,9 +155,10 @@ void run_options(CLI::App& c, RunCommand& run) {
         c.add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
     c.add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
     c.add_flag("!--no-twins", run.twins,
-               "leave out the coarser runs (1.4142 and 2 times the sizes, and one in a wider box): then nothing is "
-               "known of the discretisation error, and there is no verdict");
-    add_require_agree(c, run.require_agree, "agree: exit status 4 unless every quantity agrees; needs the twins");
+               "leave out the coarser members of the grid triplet (1.4142 and 2 times the sizes, and one run in a "
+               "wider box): then the discretisation error is not known, and there is no verdict");
+    add_require_agree(c, run.require_agree,
+                      "agree: exit status 4 unless every quantity agrees; needs the coarser runs");
     add_threads(c, run.threads);
     CLI::Option* ranks =
         add_ranks(c, run.ranks,
@@ -196,9 +199,11 @@ void ladder_options(CLI::App& c, LadderCommand& ladder) {
         "!--no-variations", ladder.variations,
         "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
     c.add_flag("--surface", ladder.surface,
-               "one run more with interIsoFoam's geometric surface, where no body moves: all that it changes counts");
-    c.add_flag("!--no-fill", ladder.fill,
-               "leave out the sizes between the coarse ones, which tell scatter from a trend and narrow the interval");
+               "one more run with interIsoFoam's geometric surface, where no body moves: the whole change enters the "
+               "interval");
+    c.add_flag(
+        "!--no-fill", ladder.fill,
+        "leave out the sizes between the coarse ones, which distinguish scatter from a trend and narrow the interval");
     c.add_option("--measured", ladder.measured,
                  "a measurement, as written by twinwake import: each method's finest value is compared with it; can be "
                  "given again")
@@ -218,11 +223,12 @@ void sweep_options(CLI::App& c, SweepCommand& sweep) {
     c.add_option("--speeds", sweep.speeds, "e.g. \"6 m/s\" \"8 m/s\"");
     c.add_option("--trims", sweep.trims, "e.g. \"3 deg\" \"5 deg\"");
     c.add_option("--near-hull", sweep.scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
-    c.add_option("--scale", sweep.scene.scale, "all sizes times this number, levels kept");
+    c.add_option("--scale", sweep.scene.scale, "all sizes times this number, refinement levels kept");
     c.add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
     add_effect(c, sweep.scene);
     c.add_option("--twins", sweep.twins,
-                 "which scenes run coarser twins for their discretisation error: first (its relative error is taken "
+                 "which scenes are also run at two coarser sizes for their discretisation error: first (its relative "
+                 "error is taken "
                  "for all others), all, none")
         ->check(CLI::IsMember({"first", "all", "none"}));
     add_rerun(c, sweep.overwrite);
@@ -244,8 +250,8 @@ void validate_options(CLI::App& c, ValidateCommand& validate) {
                  "folder of a suite; or validation.json of an earlier report, of which the "
                  "files and pages are made anew, without a run");
     c.add_option("--tier", validate.tier,
-                 fmt::format("the dearest cases that are run ({}): {}; those before it are too", suite_tiers().front(),
-                             fmt::join(suite_tiers(), ", ")))
+                 fmt::format("the most expensive tier of cases to run ({}): {}; the tiers before it are run too",
+                             suite_tiers().front(), fmt::join(suite_tiers(), ", ")))
         ->check(CLI::IsMember(suite_tiers()));
     c.add_option("--case", validate.cases, "only the case of this name; can be given again")
         ->type_name("NAME")
@@ -294,8 +300,9 @@ void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty) {
     c.add_option("--order", uncertainty.order,
                  "order of the scheme (2), for the factor of safety and for tables of two levels")
         ->check(CLI::Range(0.1, 10.0));
-    c.add_option("--dimensions", uncertainty.dimensions,
-                 "2 or 3: in how many the runs are refined, where the first column counts cells or particles")
+    c.add_option(
+         "--dimensions", uncertainty.dimensions,
+         "2 or 3: in how many dimensions the runs are refined, where the first column counts cells or particles")
         ->check(CLI::IsMember({2, 3}));
 }
 

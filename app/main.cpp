@@ -27,13 +27,13 @@ namespace {
 constexpr const char* about =
     "One hull, two methods, one verdict.\n\n"
     "A scene file describes a hull in water once. twinwake sets up a smoothed-particle run and an OpenFOAM\n"
-    "interFoam run from it, runs them and two coarser twins of each, and reports drag, lift and splash height\n"
-    "side by side: how far the methods are apart, how sure that is, and what it cost.\n\n"
+    "interFoam run from it, runs both at three resolutions, and reports drag, lift and splash height\n"
+    "side by side: how far the methods differ, how certain that difference is, and what the runs cost.\n\n"
     "  twinwake new planing my.toml      a scene to start from\n"
     "  twinwake check my.toml            what would be solved, and how long it takes\n"
     "  twinwake run my.toml              both methods at three sizes, then the report in runs/my/report.html\n"
     "  twinwake run my.toml --hull other.stl --out runs/other\n"
-    "  twinwake ladder my.toml           more sizes, time step and sound speed: what accuracy costs\n";
+    "  twinwake ladder my.toml           grid-convergence study: more sizes, time step, sound speed\n";
 constexpr const char* footer =
     "Exit status: 0 done, 2 bad input or usage, or output that cannot be written, 3 a run failed or was stopped (its "
     "state is saved), 4 --require agree not met, 5 a member of a study was stopped.";

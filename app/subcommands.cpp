@@ -80,10 +80,10 @@ std::vector<Subcommand> subcommands() {
         row("make", "a parametric hull; without a shape: the list of shapes and parameters", hull_make_options,
             run_hull_action),
     };
-    Subcommand submit{"submit", "give a study to Slurm: its runs as arrays of jobs, and a last one for the report", {}};
+    Subcommand submit{"submit", "submit a study to Slurm: its runs as job arrays, and a last job for the report", {}};
     submit.below = {
-        submit_row("run", "a scene with both methods and their coarser twins", run_options, run_run),
-        submit_row("ladder", "a scene at several sizes", ladder_options, run_ladder),
+        submit_row("run", "a scene with both methods, at its own size and two coarser ones", run_options, run_run),
+        submit_row("ladder", "grid-convergence study: a scene at several sizes", ladder_options, run_ladder),
         submit_row("sweep", "a scene with every hull, speed and trim of lists", sweep_options, run_sweep),
         submit_row("ablate", "effects switched one at a time", ablate_options, run_ablate),
         submit_row("validate", "a suite of cases with known truths", validate_options, run_validate),
@@ -95,15 +95,17 @@ std::vector<Subcommand> subcommands() {
         without_json(row("reference", "every section, key, effect and shape of a scene file, as Markdown",
                          reference_options, run_reference)),
         row("run",
-            "run a scene with both methods, coarser twins first, and compare them: verdicts that include the "
-            "discretisation error",
+            "run a scene with both methods at three sizes (--no-twins: at one) and compare them: verdicts that include "
+            "the discretisation error",
             here<RunCommand, run_options>, run_run),
         row("compare", "compare run records: verdict and report; or two reports with each other", compare_options,
             run_compare),
         with_about(row("import", "a run record from CSV histories, DualSPHysics or another OpenFOAM case, for compare",
                        import_options, run_import),
                    about_import),
-        row("ladder", "a scene at several sizes with both methods: verdicts that include the discretisation error",
+        row("ladder",
+            "grid-convergence study: a scene at several sizes with both methods, verdicts that include the "
+            "discretisation error",
             here<LadderCommand, ladder_options>, run_ladder),
         row("sweep", "a scene with every hull, speed and trim of lists: bias and scatter of the methods",
             here<SweepCommand, sweep_options>, run_sweep),
@@ -116,8 +118,8 @@ std::vector<Subcommand> subcommands() {
         submit,
         row("status", "how far the runs in a folder are: time left, forces and checks so far", study_options,
             run_status),
-        without_json(row("watch", "the same again and again, until they have ended", watch_options, run_watch)),
-        without_json(row("cancel", "take the jobs of a study out of Slurm's queue; what is finished is kept",
+        without_json(row("watch", "the same, repeated until they have ended", watch_options, run_watch)),
+        without_json(row("cancel", "remove the jobs of a study from Slurm's queue; finished runs are kept",
                          study_options, run_cancel)),
         without_json(row("member", "one run of a study, as --jobs and the jobs of a cluster make it", member_options,
                          run_member)),

@@ -20,10 +20,11 @@ std::optional<PaidSizes> remembered_sizes(const std::filesystem::path& out, doub
     PaidSizes sizes;
     read_own_json(file, [&](const nlohmann::json& json) {
         if (const double of = number_within(json, "budget", 0, huge); of != budget)
-            throw InputError(fmt::format(
-                "{}: the sizes there were chosen for --budget {}; go on with that, run anew with --overwrite, or "
-                "choose another folder with --out",
-                file.string(), plain_number(of) + " s"));
+            throw InputError(
+                fmt::format("{}: the sizes there were chosen for --budget {}; continue with that budget, run anew with "
+                            "--overwrite, or "
+                            "choose another folder with --out",
+                            file.string(), plain_number(of) + " s"));
         sizes = {number_within(json, "scale", 1e-3, 1e3), number_within(json, "near_hull", tiny, huge),
                  number_within(json, "seconds", 0, huge)};
     });

@@ -107,7 +107,7 @@ private:
         } else if (!state.ended()) {     // it could not say more
             state.kind = Kind::failed;
             state.why = fmt::format(
-                "{}; what it printed: {}",
+                "{}; its output: {}",
                 end->signal != 0 ? signal_in_words(end->signal) : fmt::format("ended with status {}", end->status),
                 log_file(study_.out, r.number).string());
         }

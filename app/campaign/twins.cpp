@@ -47,17 +47,17 @@ std::string Twins::prediction_text(const Scene& scene, double own) const {
     const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes;
     std::string text;
     if (sizes > 0)
-        text = fmt::format("twins: {} coarser run{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
+        text = fmt::format("grid triplet: {} coarser run{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
                            sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "", about_text(seconds()),
                            own > 0 ? 100 * seconds() / own : 0);
-    for (const std::string& line : plan_.left_out) text += "! twins: " + line + "\n";
+    for (const std::string& line : plan_.left_out) text += "! grid triplet: " + line + "\n";
     const int sizes_here = sizes_of_particles(scene);
     for (const LadderJob& job : plan_.jobs) {
         const Scene& twin = job.run.plan.scene;
         if (elements_of(job.run.method) != "particles" || sizes_of_particles(twin) == sizes_here) continue;
         text += fmt::format(
-            "! twins: {}: {} size{} of particles ({:.3g}) where the scene's own run has {}: no more have room at this "
-            "spacing; the runs are not similar, and the report says so\n",
+            "! grid triplet: {}: {} size{} of particles ({:.3g}) where the scene's own run has {}: there is no room "
+            "for more at this spacing; the runs are not similar, and the report says so\n",
             job.run.name, sizes_of_particles(twin), sizes_of_particles(twin) == 1 ? "" : "s",
             job.run.plan.prediction.particles, sizes_here);
     }
@@ -110,7 +110,7 @@ std::optional<Ladder> Twins::ladder(const std::vector<RunRecord>& records, const
     try {
         return ladder_of(all);
     } catch (const InputError& e) {  // the runs are there: their comparison is worth a report all the same
-        complain(std::string("twins: no discretisation error: ") + e.what());
+        complain(std::string("coarser runs (twins): no discretisation error: ") + e.what());
         return {};
     }
 }

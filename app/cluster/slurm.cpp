@@ -86,8 +86,8 @@ void refuse_submitted(const fs::path& out) {
     const auto alive = queued(jobs);
     if (alive.empty()) return;
     throw InputError(
-        fmt::format("{}: this study has been submitted, and {} of its jobs {} in the queue ({}); twinwake "
-                    "status shows them, twinwake cancel takes them back",
+        fmt::format("{}: this study has been submitted, and {} of its jobs {} in the queue ({}); twinwake status shows "
+                    "them, twinwake cancel removes them",
                     out.string(), alive.size(), alive.size() == 1 ? "is" : "are", ids_of(jobs, ' ')));
 }
 

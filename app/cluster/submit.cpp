@@ -162,8 +162,8 @@ private:
     }
     [[noreturn]] static void refuse_disk(const fs::path& probe) {
         throw InputError(probe.string() +
-                         ": a node of the cluster does not see this file, so the folder lies on a disk that nodes do "
-                         "not share; choose one that they do with --out");
+                         ": a node of the cluster cannot access this file, so the folder is on a disk that the nodes "
+                         "do not share; choose a shared one with --out");
     }
 
     void submit() {

@@ -103,8 +103,8 @@ private:
         if (v.plan->scene.sph.levels != before.sph.levels || v.plan->scene.domain.box.min != before.domain.box.min ||
             v.plan->scene.domain.box.max != before.domain.box.max) {
             v.why_not =
-                "cannot be switched alone: it takes other sizes of particles or another box with it; write "
-                "[sph] levels = 1";
+                "cannot be switched alone: it also changes the sizes of the particles or the box; write [sph] levels = "
+                "1";
             v.plan.reset();
             return;
         }

@@ -64,7 +64,7 @@ std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
     try {
         return ladder_of(harvest);
     } catch (const InputError& e) {  // the records are there: they are compared all the same
-        complain(std::string("twins: no discretisation error: ") + e.what());
+        complain(std::string("coarser runs (twins): no discretisation error: ") + e.what());
         return {};
     }
 }

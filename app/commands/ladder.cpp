@@ -94,12 +94,12 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     campaign.ahead(study, runs_of(jobs));
     for (const LadderJob& job : jobs)
         if (!take(harvest, job, campaign.run_or_take(job.run))) {
-            complain("ladder: stopped on request; the same command continues from here");
+            complain("grid-convergence study: stopped on request; the same command continues from here");
             return run_failed;
         }
     harvest.drop_lone_variations();
     if (harvest.runs.empty() && harvest.any_failed)
-        throw RunError("no run of the ladder is left: " + harvest.left_out.front());
+        throw RunError("no run of the grid-convergence study is left: " + harvest.left_out.front());
     if (harvest.runs.empty()) throw no_run_fits();
     report_ladder(harvest, measured, out, common);
     return harvest.any_failed ? run_failed : done;

@@ -104,7 +104,8 @@ std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const
 
 /// The exit status of --require agree.
 int required_agreement(const std::optional<Ladder>& ladder) {
-    const std::string others = ladder ? not_agreeing(*ladder) : "without twins there is no discretisation error";
+    const std::string others =
+        ladder ? not_agreeing(*ladder) : "without the coarser runs (twins) the discretisation error is not known";
     if (others.empty()) return done;
     complain("--require agree is not met: " + others);
     return not_agreed;
@@ -216,7 +217,7 @@ int run_run(const RunCommand& command, const Common& common) {
         write_json(common, runs_json(runs));
         return run_failed;
     };
-    if (twins && !twins->run(campaign)) return stopped("twins");
+    if (twins && !twins->run(campaign)) return stopped("coarser runs");
     bool failed = false;
     for (const std::string& method : methods) {
         const CampaignResult result = campaign.run_or_take({method_label(method), method, plan, out / method});

@@ -108,7 +108,7 @@ private:
         const auto news = fs::last_write_time(state, gone) - fs::last_write_time(run / progress_file, gone);
         if (gone || news > std::chrono::seconds(5)) return l;
         l.state = "lost";
-        l.remark = fmt::format("its process ended without a word at {:.0f} %; the same command goes on from there",
+        l.remark = fmt::format("its process ended without a message at {:.0f} %; the same command continues from there",
                                100 * l.told.share);
         return l;
     }
@@ -126,9 +126,9 @@ private:
         if (alive) return l;
         l.state = "lost";
         l.remark = l.told.kind == Kind::waiting
-                       ? fmt::format("its job ended without a word: does every node see {}?",
+                       ? fmt::format("its job ended without a message: can every node access {}?",
                                      fs::absolute(study_folder(out_) / "probe").string())
-                       : fmt::format("its job ended at {:.0f} %; what it printed: {}; submit goes on from there",
+                       : fmt::format("its job ended at {:.0f} %; its output: {}; submit continues from there",
                                      100 * l.told.share, log_file(out_, k).string());
         return l;
     }
@@ -205,7 +205,7 @@ int run_cancel(const StudyCommand& command, const Common& common) {
     for (const SubmittedJob& job : jobs) ids.push_back(job.id);
     const SlurmAnswer answer = ask_slurm("scancel", ids);
     if (!answer.ok()) throw InputError("scancel refuses: " + answer.text);
-    say(common, "cancelled: " + ids_of(jobs, ' ') + "; what is finished is kept, and submit goes on from there\n");
+    say(common, "cancelled: " + ids_of(jobs, ' ') + "; finished runs are kept, and submit continues from there\n");
     return done;
 }
 

@@ -59,7 +59,7 @@ RunsStatus::RunsStatus(const fs::path& folder) : folder_(folder) {
         find_runs();
     if (lines_.empty())
         throw InputError(folder.string() +
-                         ": there is no run in it that could tell how far it is; expected the folder of results of "
+                         ": no run in it reports its progress; expected the folder of results of "
                          "`twinwake run`, `ladder`, `sweep` or `ablate`, or one of their runs");
 }
 
@@ -92,7 +92,7 @@ std::string RunsStatus::Line::state() const { return told.lost() ? "lost" : name
 std::string RunsStatus::Line::remark() const {
     if (!told.lost()) return told.why;
     return fmt::format(
-        "its process ended without a word at {:.0f} %; the same command with --resume goes on from there",
+        "its process ended without a message at {:.0f} %; the same command with --resume continues from there",
         100 * told.share());
 }
 

@@ -88,7 +88,7 @@ std::string why_unfinished(const fs::path& out, const fs::path& folder) {
         const MemberState state = read_member_state(state_file(out, k));
         if (!state.why.empty()) return state.why;
         if (state.kind == MemberState::Kind::waiting) return "not begun";
-        return fmt::format("{} at {:.0f} %; what it printed: {}",
+        return fmt::format("{} at {:.0f} %; its output: {}",
                            state.kind == MemberState::Kind::running ? "did not end, last seen" : name_of(state.kind),
                            100 * state.share, log_file(out, k).string());
     }

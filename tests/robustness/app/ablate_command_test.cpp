@@ -93,7 +93,7 @@ TEST_F(AblateCommand, ARunThatCannotBeMadeDoesNotStopTheOthers) {
     EXPECT_EQ(content(folder_ / "runs/column_ablation/gravity_off"), "in the way");
 }
 
-// Air wants particles of one size: switched, it would be compared with water of several.
+// Air needs particles of one size: switched, it would be compared with water of several.
 TEST_F(AblateCommand, AnEffectThatTakesOtherSizesWithItIsNotOneEffect) {
     const std::string post = "[[obstacle]]\nmin = [1.4, 0, 0]\nmax = [1.5, 0.02, 0.2]\n";
     std::string text = with(with(column, "[0.4, 0.02, 0.4]", "[2, 0.02, 0.8]"), "[[probe]]", post + "[[probe]]");

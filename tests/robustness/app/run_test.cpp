@@ -192,7 +192,7 @@ TEST_F(Command, ALadderOfRunsThatAllFailSaysWhy) {
     write("column.toml", column + "[sph]\nc0 = 2\n");
     const Outcome o = twinwake({"ladder", "column.toml", "--levels", "2"});
     EXPECT_EQ(o.status, 3) << o.out;
-    EXPECT_NE(o.err.find("no run of the ladder is left: "), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("no run of the grid-convergence study is left: "), std::string::npos) << o.err;
     EXPECT_EQ(twinwake({"ladder", "column.toml", "--levels", "2"}).status, 3);  // nothing was saved: it begins anew
 }
 

@@ -24,7 +24,7 @@ TEST_F(Command, SprayThatIsWrongIsRefusedAndNothingIsWritten) {
         {in_case + "\"absent\"\n", "no OpenFOAM case there"},
         {in_case + "\"case\"\nheights = [0, 1]\nalong_x = [1, 1]\n", "not both"},
         {study + "[air]\ntime = 1\n", "expected the case that has this time"},
-        {"[source]\ntaken = \"absent\"\n", "expected RUN/sph of a run with a gate"},
+        {"[source]\ntaken = \"absent\"\n", "expected RUN/sph of a run with a spray gate"},
         {"[source]\ntaken = \"a\"\nsph = \"b\"\n", "expected exactly one of sph, taken, fvm and table"},
         {"[source]\ntable = \"absent.csv\"\n", "absent.csv: cannot be read"},
         {"[source]\ntable = \"negative.csv\"\n[flight]\nduration = 1\n", "negative.csv:2: a diameter of -0.001 m"},

@@ -28,7 +28,7 @@ TEST_F(Command, ARunHasCoarserTwinsAndItsNumbersAnErrorBar) {
     write("column.toml", column);
     const Outcome o = twinwake({"run", "column.toml", "--json", "facts.json"});
     ASSERT_EQ(o.status, 0) << o.err;
-    EXPECT_TRUE(has(o.out, "twins: 2 coarser runs, about ")) << o.out;
+    EXPECT_TRUE(has(o.out, "grid triplet: 2 coarser runs, about ")) << o.out;
     EXPECT_TRUE(has(o.out, "--no-twins leaves them out")) << o.out;
     const fs::path out = folder_ / "runs/column";
     for (const char* twin : {"twins/near_hull_28.2843mm/sph", "twins/near_hull_40mm/sph"}) {
@@ -63,7 +63,8 @@ TEST_F(Command, WithoutTwinsEveryFileSaysThatTheDiscretisationErrorIsNotEstimate
     EXPECT_TRUE(has(o.out, "apart by 0.0 % at this size")) << o.out;
     const Outcome required = twinwake({"run", "column.toml", "--no-twins", "--out", "b", "-q", "--require", "agree"});
     EXPECT_EQ(required.status, 4);
-    EXPECT_TRUE(has(required.err, "without twins there is no discretisation error")) << required.err;
+    EXPECT_TRUE(has(required.err, "without the coarser runs (twins) the discretisation error is not known"))
+        << required.err;
 }
 
 TEST_F(Command, ARunStoppedAmongItsTwinsGoesOnThere) {
@@ -75,7 +76,7 @@ TEST_F(Command, ARunStoppedAmongItsTwinsGoesOnThere) {
     kill(run.child, SIGINT);
     const Outcome stopped = finish(run);
     EXPECT_EQ(stopped.status, 3);
-    EXPECT_TRUE(has(stopped.err, "twins: stopped on request")) << stopped.err;
+    EXPECT_TRUE(has(stopped.err, "coarser runs: stopped on request")) << stopped.err;
     ASSERT_TRUE(fs::exists(twins / "near_hull_40mm/sph/record.h5"));
     EXPECT_FALSE(fs::exists(folder_ / "runs/column/sph"));
     const std::string coarsest = content(twins / "near_hull_40mm/sph/record.h5");
@@ -91,8 +92,8 @@ TEST_F(Command, ATwinThatIsTooCoarseIsLeftOutAndNamed) {
                               "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.06, 0.2]"));
     const Outcome o = twinwake({"run", "column.toml"});  // 40 mm do not fit twice into 60 mm
     ASSERT_EQ(o.status, 0) << o.err;
-    EXPECT_TRUE(has(o.out, "! twins: run at 2 times the scene's size: left out: column.toml:")) << o.out;
-    EXPECT_TRUE(has(o.out, "twins: 1 coarser run, about ")) << o.out;
+    EXPECT_TRUE(has(o.out, "! grid triplet: run at 2 times the scene's size: left out: column.toml:")) << o.out;
+    EXPECT_TRUE(has(o.out, "grid triplet: 1 coarser run, about ")) << o.out;
     for (const char* file : {"report.html", "ladder.json"})
         EXPECT_TRUE(has(content(folder_ / "runs/column" / file), "run at 2 times")) << file;
     EXPECT_TRUE(fs::exists(folder_ / "runs/column/sph/record.h5"));

@@ -102,7 +102,7 @@ TEST_F(Command, ARunLeavesItsForcesAndMeansAndChecks) {
     EXPECT_EQ(status.status, 0) << status.err;
     EXPECT_NE(status.out.find("1 of 1 runs are done"), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("fx"), std::string::npos) << status.out;
-    EXPECT_EQ(twinwake({"status", "runs/post/sph"}).out.find("there is no run"), std::string::npos);
+    EXPECT_EQ(twinwake({"status", "runs/post/sph"}).out.find("no run in it"), std::string::npos);
 }
 
 TEST_F(Command, StatusKnowsTheRunsThatHaveNotBegunAndTheOneThatWasKilled) {
@@ -129,13 +129,13 @@ TEST_F(Command, StatusKnowsTheRunsThatHaveNotBegunAndTheOneThatWasKilled) {
     finish(run);
     const Outcome watched = twinwake({"watch", "runs/post", "--every", "0.1"});  // ends by itself
     EXPECT_EQ(watched.status, 3);
-    EXPECT_NE(watched.out.find("ended without a word"), std::string::npos) << watched.out;
+    EXPECT_NE(watched.out.find("ended without a message"), std::string::npos) << watched.out;
     EXPECT_EQ(watched.out.find('\033'), std::string::npos);
     EXPECT_EQ(twinwake({"status", "."}).status, 0);  // finds them below, too
     fs::create_directory(folder_ / "empty");
     const Outcome nothing = twinwake({"status", "empty"});
     EXPECT_EQ(nothing.status, 2);
-    EXPECT_NE(nothing.err.find("there is no run in it"), std::string::npos) << nothing.err;
+    EXPECT_NE(nothing.err.find("no run in it reports its progress"), std::string::npos) << nothing.err;
 }
 
 TEST_F(Command, ALineOfProgressIsNoWiderThanItsTerminal) {

@@ -133,7 +133,7 @@ TEST_F(Submit, AFolderThatNodesDoNotShareIsNamed) {
     stub("srun", "echo '/bin/cat: x: No such file or directory' >&2; exit 1");
     const Outcome o = submit();
     EXPECT_EQ(o.status, 2);
-    EXPECT_TRUE(has(o.err, (folder_ / "out/study/probe").string() + ": a node of the cluster does not see this file"))
+    EXPECT_TRUE(has(o.err, (folder_ / "out/study/probe").string() + ": a node of the cluster cannot access this file"))
         << o.err;
     EXPECT_TRUE(words_of("sbatch").empty());
     // The jobs look as well: the probe of another disk is no answer.

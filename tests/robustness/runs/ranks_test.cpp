@@ -454,7 +454,7 @@ TEST_F(Ranks, CheckSaysWhatEachTakes) {
         EXPECT_NE(at, std::string::npos) << name;
         return at == std::string::npos ? 0 : std::atof(text.c_str() + at + key.size());
     };
-    EXPECT_NE(check({}, 0).find("ranks: 2; the one with most has "), std::string::npos);
+    EXPECT_NE(check({}, 0).find("ranks: 2; the largest has "), std::string::npos);
     const double two = fact("particles"), two_bytes = fact("bytes"), two_seconds = fact("seconds");
     EXPECT_NEAR(two, 0.5 * 15 * 12 * 15, 0.05 * two);  // of 2700
     EXPECT_GT(fact("copies"), 0.05 * two);
