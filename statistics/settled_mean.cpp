@@ -136,8 +136,8 @@ SettledMean settled_mean(std::span<const double> time, std::span<const double> v
     const double allowed = allowed_error(rules, mean), t95 = correlated_t_95(m.n_effective, 1);
     if (u > allowed && rules.allowed_error == 0 &&
         t95 * u >= std::abs(mean))  // no record is long enough for 2 % of nothing
-        return unknown(
-            fmt::format("its mean, {} ± {}, is not told from zero", plain_number(mean, 2), plain_number(t95 * u, 2)));
+        return unknown(fmt::format("its mean, {} ± {}, cannot be distinguished from zero", plain_number(mean, 2),
+                                   plain_number(t95 * u, 2)));
     if (u > allowed)
         return too_short(
             m, allowed > 0 ? window * ((u / allowed) * (u / allowed) - 1) : window,

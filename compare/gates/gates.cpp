@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "compare/gates/gate_list.h"
-#include "record/record_numbers.h"
 #include "record/certificate.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -49,7 +49,7 @@ void add_run_gates(GateList& list) {
 
 void add_certificate(GateList& list) {
     for (const CertificateLine& line : list.record.certificate) {
-        std::string remark = fmt::format("stability certificate: worst of the whole run, at {:.4g} s", line.time);
+        std::string remark = fmt::format("validity check: extreme value of the whole run, at {:.4g} s", line.time);
         if (line.place.allFinite())
             remark += fmt::format(", ({:.3g}, {:.3g}, {:.3g}) m", line.place.x(), line.place.y(), line.place.z());
         list.gates.push_back(

@@ -61,7 +61,7 @@ void add_water_gates(GateList& list) {
                  fmt::format("since the means begin, {} at {:.4g} s: a box that fills or empties has no steady mean",
                              change->value < 0 ? "less" : "more", change->time));
     if (const auto openings = throughput(record)) {
-        list.add("particles that came or went unseen", "-", openings->unaccounted, 0,
+        list.add("unexplained change of the number of particles", "-", openings->unaccounted, 0,
                  fmt::format("besides what the openings let in and out, at {:.4g} s", openings->unaccounted_at));
         list.add("inflow less outflow", "% of the inflow", 100 * std::abs(openings->surplus), 1,
                  fmt::format("since the means begin, {} comes in than leaves: the level drifts",

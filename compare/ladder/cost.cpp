@@ -12,7 +12,7 @@ CostOfAccuracy cost_of_accuracy(std::vector<CostPoint> points) {
     });
     c.points = std::move(points);
     if (c.points.size() < 2) {
-        c.why_not = "needs an uncertainty at two levels or more";
+        c.why_not = "needs an uncertainty at two sizes or more";
         return c;
     }
     const double n = static_cast<double>(c.points.size());

@@ -33,7 +33,7 @@ void hold_against(Ladder& ladder, const std::string& source, const std::string& 
     if (at == ladder.quantities.end()) return;
     if (at->unit != unit)
         throw InputError(
-            fmt::format("{}: {} is in {}, and in the ladder's runs in {}; expected one unit: convert it with "
+            fmt::format("{}: {} is in {}, and in the runs of the study in {}; expected one unit: convert it with "
                         "twinwake import",
                         source, at->label, unit, at->unit));
     Held held{source, value, {}};
@@ -103,11 +103,12 @@ void add_measured(Ladder& ladder, const RunRecord& record) {
     const LadderRun& run = ladder.sides.front().runs.front();
     if (text("hull_hash") != run.hull_hash)
         throw InputError(
-            source + ": measured on another hull than the ladder's; expected a mapping whose scene is the ladder's");
+            source +
+            ": measured on another hull than that of the study; expected a mapping with the scene of the study");
     if (run.hull_hash.empty() && !same_domain(domain_of(record), run.domain, run.spacing))
         throw InputError(
-            fmt::format("{}: measured in another tank than the ladder's: it spans {:.4g} m, the ladder's "
-                        "{:.4g} m; expected a mapping whose scene is the ladder's",
+            fmt::format("{}: measured in another tank than that of the study: it spans {:.4g} m, the tank of the study "
+                        "{:.4g} m; expected a mapping with the scene of the study",
                         source, fmt::join(domain_of(record), " "), fmt::join(run.domain, " ")));
     double shortest = HUGE_VAL;
     for (const LadderSide& side : ladder.sides)

@@ -181,7 +181,7 @@ void judge_by_errors_of(Difference& d, Quantity& q, const Comparison& c, const R
 
 void judge_by_errors_of(Comparison& c, const RelativeErrors& errors) {
     if (c.sources.size() < 2 || errors.scene.empty()) return;
-    c.discretisation_from = "the twins of " + errors.scene + ", relative to the values";
+    c.discretisation_from = "the coarser runs of " + errors.scene + ", relative to the values";
     for (Quantity& q : c.quantities) {
         for (Difference& d : q.differences()) judge_by_errors_of(d, q, c, errors);
         if (!q.pairs.empty() && q.verdict == Verdict::not_estimated) take_farthest(q);

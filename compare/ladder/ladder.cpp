@@ -20,8 +20,9 @@ bool same_rung(const LadderRun& a, const LadderRun& b) {
 LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     const auto spacing = record.numbers.find("near_hull");
     if (spacing == record.numbers.end() || !(spacing->second > 0))
-        throw InputError(fmt::format("the {} record has no spacing at the hull (number near_hull); a ladder needs one",
-                                     record.attributes["method"]));
+        throw InputError(fmt::format(
+            "the {} record has no spacing at the hull (number near_hull); a grid-convergence study needs one",
+            record.attributes["method"]));
     LadderRun run;
     run.title = record.attributes["title"], run.method = record.attributes["method"];
     run.spacing = spacing->second, run.elements = record.elements, run.memory = record.peak_memory;
@@ -63,7 +64,7 @@ std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs) {
 
 Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> variations, double agree_within,
                     const std::vector<RunRecord>& measured) {
-    if (runs.empty()) throw InputError("a ladder without a finished run; expected one or more");
+    if (runs.empty()) throw InputError("a grid-convergence study without a finished run; expected one or more");
     Ladder ladder;
     ladder.title = runs.front().title;
     ladder.agree_within = agree_within;

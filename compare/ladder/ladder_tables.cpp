@@ -95,7 +95,7 @@ std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& q) {
 }
 
 ReportTable ladder_verdicts(const Ladder& ladder) {
-    ReportTable table{"Verdict of the ladder", {words("Quantity"), words("unit")}};
+    ReportTable table{"Verdict of the grid-convergence study", {words("Quantity"), words("unit")}};
     for (std::size_t k = 0; k < ladder.sides.size(); ++k) {
         table.columns.push_back(numbers(method_label(ladder.sides[k].method)));
         table.columns.back().source = static_cast<int>(k);
@@ -126,7 +126,7 @@ ReportTable ladder_verdicts(const Ladder& ladder) {
         "discretisation error (from three sizes on a fit of trend and noise, of two the grid convergence index) and "
         "the runs with other choices. Agree: the difference lies inside the joint interval, and that is at most {:g} % "
         "of the value, or both together are. Differ: it lies outside. Undecided: inside, but the interval is too wide "
-        "to tell. Not converged: the "
+        "for a verdict. Not converged: the "
         "values of a method diverge as the sizes shrink, or have no uncertainty. The influence of the walls of the box "
         "is part of the values' intervals and not of that of the difference, because both methods solve the same box.",
         100 * ladder.agree_within));
@@ -175,7 +175,7 @@ namespace {
 /// Every share of each interval, in per cent of the value.
 ReportTable shares_of_intervals(const Ladder& ladder) {
     ReportTable table{
-        "What the intervals are made of, in per cent of the value",
+        "Contributions to the intervals, in per cent of the value",
         {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("Eça & Hoekstra"),
          numbers("GCI"), numbers("factor of safety"), numbers("box"), words("other choices")}};
     bool any_box = false;
@@ -296,12 +296,12 @@ ReportTable prices_of_accuracy(const Ladder& ladder) {
             table.rows.push_back(std::move(row));
         }
     }
-    table.notes.push_back("~: beyond the times of this ladder, by its slope.");
+    table.notes.push_back("~: extrapolated beyond the times of this study.");
     return table;
 }
 
 ReportTable all_runs(const Ladder& ladder) {
-    ReportTable table{"The runs of the ladder",
+    ReportTable table{"The runs of the study",
                       {words("method"), numbers("spacing at the hull", "m"), numbers(elements_of_all(), "", 4),
                        numbers("time steps", "", 5), numbers("wall time"), numbers("predicted"), numbers("core hours"),
                        numbers("memory", "MB", 4)}};

@@ -47,7 +47,7 @@ void add_variation(std::vector<LadderSide>& sides, LadderVariation v) {
             side.variations.push_back(std::move(v));
             return;
         }
-    throw InputError(fmt::format("{} with {}: the ladder has no {} run of {:g} m that it varies", v.run.method, v.name,
+    throw InputError(fmt::format("{} with {}: the study has no {} run of {:g} m that it varies", v.run.method, v.name,
                                  v.run.method, v.run.spacing));
 }
 

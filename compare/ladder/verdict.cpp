@@ -90,9 +90,9 @@ std::string remedy(const Term& term, const LadderDifference& d, const LadderQuan
         return fmt::format("the values scatter by {} {} from size to size: {}", number_text(e.trend_noise.sigma, 2),
                            unit_text(q.unit),
                            e.levels.size() > 3 ? "sizes between these narrow the interval"
-                                               : "three do not tell it from a trend; twinwake ladder runs more");
+                                               : "three cannot distinguish it from a trend; twinwake ladder runs more");
     if (term.kind == Term::discretisation && d.seconds_to_target <= longest_runs)
-        return fmt::format("finer runs of {} would suffice, by the slopes of this ladder",
+        return fmt::format("finer runs of {} would suffice, by the slopes of this study",
                            about_text(d.seconds_to_target));
     return {};
 }

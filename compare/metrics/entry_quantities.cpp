@@ -86,7 +86,7 @@ void add_of_body(Comparison& c, const std::string& name, const std::vector<Entry
     }();
     add(
         "cavity_seal", "Cavity sealed behind ", "s",
-        "first frame in which air at the body no longer hangs together with the air above the water; gaps narrower "
+        "first frame in which the air at the body is no longer connected to the air above the water; gaps narrower "
         "than "
         "a voxel are not seen",
         "no closed air was seen", [](const Entry& e) { return e.closure.seal; }, of_closure);
@@ -102,7 +102,7 @@ void add_of_body(Comparison& c, const std::string& name, const std::vector<Entry
         "it is open at the end, or none opened by more than two voxels",
         [](const Entry& e) { return e.closure.closed; }, of_closure);
     add(
-        "cavity_depth", "Deepest open cavity at ", "m", "of air beside the body that hangs together with the air above",
+        "cavity_depth", "Deepest open cavity at ", "m", "of air beside the body that is connected to the air above",
         "no frames", [](const Entry& e) { return e.closure.deepest; }, half_voxel);
     add("cavity_asymmetry", "Water line, low x less high x, at ", "m",
         "highest water beside the body on the side of smaller x less that on the other, in its middle plane, where the "

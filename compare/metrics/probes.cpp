@@ -6,15 +6,15 @@
 #include <numeric>
 #include <set>
 
-#include "statistics/flow_through.h"
-#include "statistics/time_bins.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/probe_peaks.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/readings.h"
 #include "compare/metrics/sound.h"
-#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
+#include "record/record_numbers.h"
+#include "statistics/flow_through.h"
+#include "statistics/time_bins.h"
 
 namespace tw {
 
@@ -201,8 +201,8 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             };
             constexpr const char* nothing = "no value in the time that all records cover";
             add("", fmt::format("Peak {} at {}, raw", table, name), unit,
-                "highest value in the time that all records cover: grows with the sampling rate and shows the sound of "
-                "an impact, so it is shown and not judged",
+                "highest value in the time that all records cover: grows with the sampling rate and contains the sound "
+                "of an impact, so it is shown and not judged",
                 false, nothing, highest);
             comparison.quantities.back().remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
                 const double rms = rms_per_cent(comparison.sources[a], comparison.sources[b], table, name);

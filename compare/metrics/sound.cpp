@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "record/record_numbers.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -66,7 +66,7 @@ std::string why_sound(double peak, double lasts, double shortest, const std::str
     return fmt::format(
         "not judged: sound of the impact. Of {:.3g} {} no more than {:.2g} {} lasts for {:.2g} ms, in which sound "
         "crosses "
-        "six particles; what is shorter grows with the sound speed and says nothing of the flow",
+        "six particles; shorter peaks grow with the sound speed and say nothing about the flow",
         peak, unit, lasts, unit, 1e3 * shortest);
 }
 

@@ -12,15 +12,15 @@
 #include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/splash.h"
-#include "record/record_numbers.h"
-#include "statistics/flow_through.h"
-#include "statistics/settled_mean.h"
-#include "statistics/student_t.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/hull_motion.h"
+#include "record/record_numbers.h"
 #include "record/solid_at_rest.h"
 #include "record/spray_jet.h"
+#include "statistics/flow_through.h"
+#include "statistics/settled_mean.h"
+#include "statistics/student_t.h"
 
 namespace tw {
 
@@ -140,8 +140,8 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
           Measure{"splash_raised_p90", "Upper decile of the raised water", "m", "raised_p90",
                   "height above still water below which 90 % of the water raised behind the hull lies", Kind::integral},
           Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
-                  "height above still water of the highest splash that hangs together with the main "
-                  "body: voxels at least half full, 26 neighbours; splash stands more than a surface "
+                  "height above still water of the highest splash that is connected to the main body: voxels at least "
+                  "half full, 26 neighbours; splash stands more than a surface "
                   "cell above the smooth wave",
                   Kind::height},
           Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",

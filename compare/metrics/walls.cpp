@@ -7,9 +7,9 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/quantity.h"
-#include "record/record_numbers.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 namespace {
@@ -54,10 +54,10 @@ void warn(Comparison& comparison, std::size_t i, const std::string& name, double
     const std::string walls = text_of(comparison.sources[i], "walls");
     const double force = mean_force(comparison.sources[i], name);
     if (!walls.starts_with("hold") || !(pull > share_that_decides * force)) return;
-    comparison.banners.push_back(fmt::format(
-        "{}: the walls {}. Water is held on {} by suction of {:.3g} {} on average, {:.0f} % of the force on it: where "
-        "air can come, real water leaves there, and the force is another.",
-        method_label(comparison.names[i]), walls, name, pull, unit, 100 * pull / force));
+    comparison.banners.push_back(
+        fmt::format("{}: the walls {}. Water is held on {} by suction of {:.3g} {} on average, {:.0f} % of the force "
+                    "on it: where air can reach, real water separates there, and the force differs.",
+                    method_label(comparison.names[i]), walls, name, pull, unit, 100 * pull / force));
 }
 
 /// What follows the prefix in the samples' columns of any source.

@@ -7,12 +7,12 @@
 #include <set>
 
 #include "compare/metrics/quantity.h"
-#include "record/record_numbers.h"
 #include "compare/report/numbers.h"
 #include "compare/verdict/left_out.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "record/influence_words.h"
+#include "record/record_numbers.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -145,7 +145,7 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
     if (pair)
         table.notes.push_back(fmt::format(
             "Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value, or both "
-            "together are. Differ: it lies outside. Undecided: inside, but the interval is too wide to tell. The "
+            "together are. Differ: it lies outside. Undecided: inside, but the interval is too wide for a verdict. The "
             "influence of the walls of the "
             "box is not part of the joint interval, because both methods solve the same box.",
             100 * c.agree_within));

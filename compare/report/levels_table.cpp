@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/record_numbers.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -30,7 +30,7 @@ ReportTable levels_table(const Comparison& c) {
     ReportTable table{
         "Sizes of particles at the last frame",
         {words("Run"), numbers("size", "m"), numbers("time step", "s"), numbers("active", "", 9),
-         numbers("guards", "", 9), numbers("parents", "", 9), numbers("births", "", 9), numbers("deaths", "", 9),
+         numbers("buffer", "", 9), numbers("overlap, slave", "", 9), numbers("split", "", 9), numbers("merged", "", 9),
          numbers("spray", "", 9), numbers("orphans", "", 9), numbers("mass drift", "%", 2), numbers("largest", "%", 2),
          numbers("time", "%", 2), numbers("edge", "%", 2)}};
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
@@ -56,12 +56,13 @@ ReportTable levels_table(const Comparison& c) {
     }
     if (table.rows.empty()) return {};
     table.notes = {
-        "Guards and parents stand for water of the next larger and the next smaller size. Births, deaths and mass "
-        "drift are counted since the start: the mass of a zone, without spray beyond it, against the larger "
-        "particles that stand for it.",
-        "Spray is active beyond the edge of its zone; orphans are guards and parents without water of the other size "
-        "nearby. The time is that of the sweeps over pairs and of their lists; at the edge, that of births and "
-        "of the interpolation of fields to and from the next larger size."};
+        "Buffer particles (in the record: guards) carry the fields of the next larger size; overlap and slave "
+        "particles (band, carried) those of the next smaller one. Particles made by splitting (births) and removed by "
+        "merging (deaths), and the mass drift, are counted since the start. Mass drift: mass of a zone, without spray "
+        "beyond it, against that of the larger particles under it.",
+        "Spray is active beyond the edge of its zone; orphans are buffer, overlap and slave particles without water of "
+        "the other size nearby. The time is that of the pair loops and neighbour lists; at the edge, that of splitting "
+        "and of the interpolation of fields to and from the next larger size."};
     return table;
 }
 

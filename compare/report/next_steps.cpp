@@ -129,7 +129,7 @@ std::vector<NextStep> next_steps(const Comparison& c) {
         steps.push_back({"Solve it with the other method as well" + at_its_size + ".",
                          "twinwake run " + scene + at_size(first, 1, "--method") + " --method both"});
     if (c.sources.size() > 1 && c.discretisation_from.empty())
-        steps.push_back({"Run the coarser twins too" + at_its_size +
+        steps.push_back({"Run the two coarser sizes as well" + at_its_size +
                              ": only several sizes give the discretisation error and a verdict.",
                          "twinwake run " + scene + at_size(first, 1)});
     const bool diverges = any_verdict(c, Verdict::not_converged);

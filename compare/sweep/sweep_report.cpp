@@ -148,7 +148,7 @@ ReportTable scene_by_scene(const Sweep& sweep) {
         }
     table.notes.push_back(
         "± is the 95 % interval. Where the discretisation error is not estimated it holds the statistical scatter of "
-        "the means alone; where it is from another scene's twins it was taken relative to the values.");
+        "the means alone; where it is from another scene's coarser runs it was taken relative to the values.");
     return table;
 }
 

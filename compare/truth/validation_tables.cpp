@@ -83,7 +83,7 @@ ReportTable validation_table(const ValidatedCase& one) {
 }
 
 ReportTable family_table(const ValidationReport& report) {
-    ReportTable table{"How often the intervals hold the truth",
+    ReportTable table{"How often the intervals contain the true value",
                       {words("Family"), words("method"), numbers("goal met"), numbers("falls short"),
                        numbers("interval holds"), numbers("outer holds"), numbers("narrow ones that hold"),
                        numbers("no interval"), numbers("median error"), numbers("processor time")}};

@@ -64,12 +64,12 @@ std::string why_running_away(std::span<const StudyLevel> levels, const EcaHoekst
 }
 
 void from_one_level(Estimate& e) {
-    e.why_not = "one size alone says nothing of the discretisation error; it takes two or more";
+    e.why_not = "one size alone does not show the discretisation error; two or more are needed";
 }
 
 void from_two_levels(Estimate& e) {
     e.celik_gci = two_level_gci(e.levels, e.p_th);
-    e.method = "GCI of two levels, order assumed, Fs = 3";
+    e.method = "GCI of two sizes, order assumed, Fs = 3";
     e.order = e.p_th;
     e.limit = e.celik_gci.phi_ext;
     e.uncertainty = e.celik_gci.uncertainty;
@@ -204,8 +204,8 @@ std::string verdict_sentence(const Estimate& e) {
         return fmt::format("unchanged from size to size: {:.6g}; no discretisation error is seen", e.levels[0].value);
     const std::string value = value_with_uncertainty(e.levels[0].value, e.uncertainty);
     if (e.levels.size() == 2)
-        return fmt::format("{} by an assumed order {:g} with Fs = 3: two levels cannot show whether it converges",
-                           value, e.p_th);
+        return fmt::format("{} by an assumed order {:g} with Fs = 3: two sizes cannot show whether it converges", value,
+                           e.p_th);
     if (e.convergence == Convergence::scattered) return scatter_sentence(e, value);
     if (e.convergence == Convergence::irregular) return irregular_sentence(e, value);
     if (e.convergence == Convergence::unchanged)

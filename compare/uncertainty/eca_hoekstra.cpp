@@ -112,7 +112,7 @@ std::string to_string(ErrorFit fit) {
 EcaHoekstra eca_hoekstra(std::span<const StudyLevel> levels) {
     EcaHoekstra e;
     if (levels.size() < 4) {
-        e.why_not = "needs four levels";
+        e.why_not = "needs four sizes";
         return e;
     }
     const auto n_g = static_cast<Eigen::Index>(levels.size());
@@ -174,7 +174,7 @@ EcaHoekstra eca_hoekstra(std::span<const StudyLevel> levels) {
     if (std::abs(e.p) > 0.999 * search_to) e.p = nan;
     if (e.convergence == Convergence::divergent) {
         e.phi0 = nan;
-        e.why_not = "the changes do not die out as the spacing shrinks";
+        e.why_not = "the changes do not decrease as the spacing shrinks";
         return e;
     }
     e.known = true;

@@ -10,7 +10,7 @@
 namespace tw {
 
 std::vector<StudyLevel> finest_first(std::vector<StudyLevel> levels) {
-    if (levels.empty()) throw InputError("no level found; expected at least one pair of spacing and value");
+    if (levels.empty()) throw InputError("no size found; expected at least one pair of spacing and value");
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const StudyLevel& l = levels[i];
         if (!std::isfinite(l.h) || l.h <= 0)
@@ -23,8 +23,8 @@ std::vector<StudyLevel> finest_first(std::vector<StudyLevel> levels) {
     std::ranges::sort(levels, {}, &StudyLevel::h);
     for (std::size_t i = 1; i < levels.size(); ++i)
         if (levels[i].h <= levels[i - 1].h * (1 + 1e-6))
-            throw InputError(fmt::format("two levels of spacing {} found; expected a different spacing on every level",
-                                         levels[i].h));
+            throw InputError(
+                fmt::format("two rows of spacing {} found; expected a different spacing in every row", levels[i].h));
     return levels;
 }
 

@@ -110,7 +110,7 @@ LevelColumns data_of(std::span<const StudyLevel> levels) {
 TrendNoise trend_noise(std::span<const StudyLevel> levels, double p_th) {
     TrendNoise t;
     if (levels.size() < 3) {
-        t.why_not = "needs three levels";
+        t.why_not = "needs three sizes";
         return t;
     }
     t.known = true;

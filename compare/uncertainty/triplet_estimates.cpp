@@ -27,7 +27,7 @@ void finest_pair(CelikGci& g, const StudyLevel& l1, const StudyLevel& l2) {
 CelikGci celik_gci(std::span<const StudyLevel> levels) {
     CelikGci g;
     if (levels.size() < 3) {
-        g.why_not = "needs three levels";
+        g.why_not = "needs three sizes";
         return g;
     }
     const Triplet t = finest_triplet(levels);
@@ -37,7 +37,7 @@ CelikGci celik_gci(std::span<const StudyLevel> levels) {
         return g;
     }
     if (t.convergence == Convergence::divergent) {
-        g.why_not = "the changes of the three finest levels do not die out";
+        g.why_not = "the changes between the three finest sizes do not decrease";
         return g;
     }
     g.p = t.p;
@@ -59,7 +59,7 @@ CelikGci two_level_gci(std::span<const StudyLevel> levels, double p) {
 XingStern xing_stern(std::span<const StudyLevel> levels, double p_th) {
     XingStern x;
     if (levels.size() < 3) {
-        x.why_not = "needs three levels";
+        x.why_not = "needs three sizes";
         return x;
     }
     const Triplet t = finest_triplet(levels);

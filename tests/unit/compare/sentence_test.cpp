@@ -46,8 +46,8 @@ TEST(Sentence, AsAFindingItRepeatsNeitherQuantityNorVerdict) {
         "SPH 3.3 % above interFoam, discretisation error ±9.0 %; 40 min of further runs would bring it to ±5.0 %.");
     s.verdict = Verdict::agree, s.interval = s.discretisation = 0.04 * 3050;
     EXPECT_EQ(finding_of(s), "SPH 3.3 % above interFoam, discretisation error ±4.0 %.");
-    s.verdict = Verdict::not_converged, s.interval = nan, s.why = "SPH: the changes do not die out";
-    EXPECT_EQ(finding_of(s), "SPH 3.3 % above interFoam, without an interval; SPH: the changes do not die out.");
+    s.verdict = Verdict::not_converged, s.interval = nan, s.why = "SPH: the changes do not decrease";
+    EXPECT_EQ(finding_of(s), "SPH 3.3 % above interFoam, without an interval; SPH: the changes do not decrease.");
 }
 
 TEST(Sentence, OfAnIntervalBeyondThirtyPerCentThereIsNoAnswerYet) {
@@ -69,11 +69,11 @@ TEST(Sentence, NamesTheSharesWhereTheResolutionIsNotAll) {
 
 TEST(Sentence, NoPerCentIsWithoutAnIntervalOrTheWordsThatItHasNone) {
     Statement s = lift();
-    s.verdict = Verdict::not_converged, s.interval = nan, s.why = "SPH: the changes do not die out";
+    s.verdict = Verdict::not_converged, s.interval = nan, s.why = "SPH: the changes do not decrease";
     EXPECT_EQ(sentence_of(s),
-              "Lift: SPH 3.3 % above interFoam, without an interval: not converged, SPH: the changes do not die out.");
+              "Lift: SPH 3.3 % above interFoam, without an interval: not converged, SPH: the changes do not decrease.");
     s.methods = {"sph"}, s.values = {3100}, s.verdict = Verdict::not_comparable;
-    EXPECT_EQ(sentence_of(s), "Lift: 3100 N by SPH, without an interval: SPH: the changes do not die out.");
+    EXPECT_EQ(sentence_of(s), "Lift: 3100 N by SPH, without an interval: SPH: the changes do not decrease.");
     EXPECT_EQ(per_cent_text(3.14, 9.04), "+3.1 ± 9.0 %");
     EXPECT_EQ(per_cent_text(-31.4, 9.04), "−31 ± 9 %");
     EXPECT_EQ(per_cent_text(3.14, std::nan("")), "+3.1 %, no interval");

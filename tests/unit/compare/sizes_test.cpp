@@ -259,11 +259,11 @@ TEST(Sizes, AnotherSceneTakesTheRelativeErrorAndSaysFromWhere) {
     EXPECT_NE(lift.verdict, Verdict::not_estimated);
     EXPECT_TRUE(has(lift.sentence, "discretisation error as in prism, 6 m/s ±")) << lift.sentence;
     EXPECT_TRUE(has(lift.remark, "discretisation error taken from prism, 6 m/s")) << lift.remark;
-    EXPECT_TRUE(has(summary_text(c), "the twins of prism, 6 m/s"));
+    EXPECT_TRUE(has(summary_text(c), "the coarser runs of prism, 6 m/s"));
 
     RelativeErrors none = errors;
     none.of.at({"lift", "sph"}).discretisation = std::nan("");
-    none.of.at({"lift", "sph"}).why_not = "the changes do not die out";
+    none.of.at({"lift", "sph"}).why_not = "the changes do not decrease";
     Comparison d = finest(400, 2800, 40);
     judge_by_errors_of(d, none);
     EXPECT_EQ(d.find("lift")->verdict, Verdict::not_converged);

@@ -26,7 +26,7 @@ SweepMember member(const std::string& name, double a, double b) {
     m.name = name, m.report = name + "/report.html";
     m.methods = {"sph", "fvm"};
     m.quantities = {q};
-    m.discretisation_from = "the twins of one";
+    m.discretisation_from = "the coarser runs of one";
     return m;
 }
 
@@ -114,7 +114,7 @@ TEST(Sweep, AllFailedIsStillAReport) {
 
 TEST(Sweep, ItsTableHasARowForEachSceneAndQuantity) {
     const std::string csv = sweep_csv(build_sweep("set", {member("a,b", 100, 110), member("=1+1", 3, 4)}));
-    EXPECT_NE(csv.find("\"a,b\",lift,N,100,110,1,2,differ,the twins of one\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\"a,b\",lift,N,100,110,1,2,differ,the coarser runs of one\n"), std::string::npos) << csv;
     EXPECT_EQ(csv.find("\n=1"), std::string::npos);
 }
 
@@ -129,7 +129,7 @@ TEST(Sweep, EverySceneSaysWhereItsDiscretisationErrorIsFrom) {
     EXPECT_EQ(s.summaries[0].points[0].Ua, 9);  // all of it
     EXPECT_EQ(s.summaries[0].points[1].Ua, 1);  // the scatter is all that is known
     for (const std::string& out : {sweep_text(s), sweep_html(s)}) {
-        EXPECT_NE(out.find("the twins of one"), std::string::npos);
+        EXPECT_NE(out.find("the coarser runs of one"), std::string::npos);
         EXPECT_NE(out.find("not estimated"), std::string::npos);
         EXPECT_NE(out.find("+4.0 ± 9.5 %"), std::string::npos) << out;
     }

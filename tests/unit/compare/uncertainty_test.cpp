@@ -198,7 +198,7 @@ TEST(EcaHoekstra, FourLevelsOrNothing) {
     EXPECT_TRUE(eca_hoekstra(power({1, 2, 3, 4}, 1, 0.1, 1)).known);
     const EcaHoekstra e = eca_hoekstra(power({1, 2, 3}, 1, 0.1, 1));
     EXPECT_FALSE(e.known);
-    EXPECT_NE(e.why_not.find("four levels"), std::string::npos);
+    EXPECT_NE(e.why_not.find("four sizes"), std::string::npos);
 }
 
 // ---- all of them
@@ -374,13 +374,13 @@ TEST(Estimate, BadInputIsRefusedWithWhatWasFound) {
     const auto of = [](std::vector<StudyLevel> levels, double order = 2) {
         return message([&] { estimate(std::move(levels), order); });
     };
-    EXPECT_NE(of({}).find("no level found"), std::string::npos);
+    EXPECT_NE(of({}).find("no size found"), std::string::npos);
     EXPECT_NE(of({{1, 2}, {nan, 3}}).find("level 2: spacing nan found"), std::string::npos);
     EXPECT_NE(of({{1, 2}, {2, nan}}).find("value nan found"), std::string::npos);
     EXPECT_NE(of({{1, 2}, {2, INFINITY}}).find("value inf found"), std::string::npos);
     EXPECT_NE(of({{0, 2}, {1, 3}}).find("spacing 0 found; expected a finite number above zero"), std::string::npos);
     EXPECT_NE(of({{-0.5, 2}, {1, 3}}).find("spacing -0.5 found"), std::string::npos);
-    EXPECT_NE(of({{1, 2}, {2, 3}, {1, 4}}).find("two levels of spacing 1 found"), std::string::npos);
+    EXPECT_NE(of({{1, 2}, {2, 3}, {1, 4}}).find("two rows of spacing 1 found"), std::string::npos);
     EXPECT_NE(of({{1, 2}, {2, 3}}, 0).find("order of the scheme 0 found"), std::string::npos);
     EXPECT_NE(of({{1, 2}, {2, 3}}, nan).find("order of the scheme nan found"), std::string::npos);
     EXPECT_EQ(of({{1, 2}, {2, 3}}), "");

@@ -33,7 +33,7 @@ bool warned(const Comparison& c) {
 }
 
 TEST(Suction, IsTheMeanOfWhatIsKnownAndStandsBeside) {
-    const Comparison c = compare_records({held("let water go where air can come", 80)});
+    const Comparison c = compare_records({held("allow separation at ambient pressure where air can reach them", 80)});
     const Quantity* q = c.find("suction:ball");
     ASSERT_NE(q, nullptr);
     EXPECT_DOUBLE_EQ(q->values.front().value, 80);
@@ -45,7 +45,7 @@ TEST(Suction, IsTheMeanOfWhatIsKnownAndStandsBeside) {
 TEST(Suction, WarnsWhereWallsHoldWaterAndItDecidesTheForce) {
     EXPECT_TRUE(warned(compare_records({held("hold water under tension: the effect ventilation is off", 80)})));
     EXPECT_FALSE(warned(compare_records({held("hold water under tension: the effect ventilation is off", 30)})));
-    EXPECT_FALSE(warned(compare_records({held("let water go where air can come", 80)})));
+    EXPECT_FALSE(warned(compare_records({held("allow separation at ambient pressure where air can reach them", 80)})));
 }
 
 TEST(LeavingAngle, IsTheMeanWhileTheBodyIsPartlyWet) {

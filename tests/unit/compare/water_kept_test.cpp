@@ -146,7 +146,7 @@ RunRecord stream_of_particles(const std::vector<double>& count, const std::vecto
 }
 
 TEST(WaterKept, ParticlesThatVanishFailTheirCheck) {
-    const char* const unseen = "particles that came or went unseen";
+    const char* const unseen = "unexplained change of the number of particles";
     EXPECT_TRUE(gate(stream_of_particles({900, 905, 903, 903}, {0, 100, 200, 300}, {0, 95, 197, 297}), unseen)->pass);
     const auto gone = gate(stream_of_particles({900, 905, 902, 903}, {0, 100, 200, 300}, {0, 95, 197, 297}), unseen);
     ASSERT_TRUE(gone);

@@ -202,7 +202,7 @@ TEST(SettledMean, AMeanThatIsNotToldFromZeroAsksForNoMoreTime) {
     const SettledMean none = settled_mean(steps(2000, 1e-3), noise, {});
     EXPECT_FALSE(none.known);
     EXPECT_EQ(none.seconds_needed, 0);
-    EXPECT_NE(none.why_not.find("± 1.3, is not told from zero"), std::string::npos) << none.why_not;
+    EXPECT_NE(none.why_not.find("± 1.3, cannot be distinguished from zero"), std::string::npos) << none.why_not;
 }
 
 // interFoam's lift on a planing hull creeps up by 1.5 to 2 % while it settles: the mean is known to about that, not
