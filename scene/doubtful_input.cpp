@@ -62,10 +62,10 @@ void doubt_masses(const Scene& scene, std::vector<Finding>& findings) {
         if (b.elastic || b.motion.law || !(mass > 0) || !(water > 0)) continue;
         if (mass < 0.02 * water || mass > 25 * water)
             warn_of(findings, "odd_mass",
-                    fmt::format(
-                        "the mass of body {} is {} the {} of water that it would displace drowned; masses are in kg, "
-                        "densities in kg/m3, unless a unit is given",
-                        b.name, against(mass, water, unit), plain_number(water)));
+                    fmt::format("the mass of body {} is {} the {} of water that it would displace fully submerged; "
+                                "masses are in kg, "
+                                "densities in kg/m3, unless a unit is given",
+                                b.name, against(mass, water, unit), plain_number(water)));
     }
 }
 
@@ -93,12 +93,11 @@ void doubt_standing(const Scene& scene, std::vector<Finding>& findings) {
         for (Vec3& p : below.points) p.z() -= *level;
         const double lifted = scene.water.density * hydrostatics(below).volume, mass = b.motion.mass.mass;
         if (mass < lifted || mass >= held_surely * lifted) continue;
-        warn_of(
-            findings, "hardly_standing",
-            fmt::format("body {} stands on the floor and weighs {} times what the water round it lifts; under a body "
-                        "that weighs less than {:g} times that, the sound in the particles' water opens the gap and "
-                        "lifts it where it should stay: whether and when it rises is no prediction",
-                        b.name, plain_number(mass / lifted, 2), held_surely));
+        warn_of(findings, "hardly_standing",
+                fmt::format("body {} stands on the floor and weighs {} times its buoyancy; under a body that weighs "
+                            "less than {:g} times its buoyancy, sound waves in the particles' water open the gap and "
+                            "may lift it although it should stay: whether and when it rises is not predicted",
+                            b.name, plain_number(mass / lifted, 2), held_surely));
     }
 }
 

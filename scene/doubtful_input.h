@@ -13,7 +13,7 @@ namespace tw {
 ///   odd_tension         above 1 N/m
 ///   odd_mass            a free hull weighs less than a tenth or more than ten times what it displaces at its draft; a body
 ///                       less than a fiftieth of the water that it would displace drowned, or more than 25 times as much
-///   hardly_standing     a body on the floor weighs one to two times what the water round it lifts
+///   hardly_standing     a body on the floor weighs one to two times its buoyancy
 ///   table_moves_on      a motion's table ends before the run, while it moves
 std::vector<Finding> doubtful_input(const Scene& scene);
 

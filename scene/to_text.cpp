@@ -217,7 +217,7 @@ std::string sizes_text(const Scene& scene, const Prediction& p, const MethodCost
             plain_number(p.particles_at_start, 2), plain_number(p.particles, 2), plain_number(p.most_particles, 2));
     const std::vector<CostOfSize> sizes = cost_of_sizes(scene, p, cost);
     if (sizes.size() < 2) return out;
-    out += "       particles      all = active + guards + parents      memory  of the time     time step\n";
+    out += "       particles      all = active + buffer + overlap      memory  of the time     time step\n";
     for (const CostOfSize& s : sizes) {
         const ParticlesOfSize& n = s.particles;
         out += fmt::format("       {:7.4g} m {:>8} {:>8} {:>8}  {:>8} {:8.3g} MB {:10.0f} % {:>11} s\n", n.spacing,
@@ -326,10 +326,10 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         "run         {}{:.4g} s{}, particle sound speed {:.4g} m/s{}\n",
         scene.run.stops_when_settled() ? "at most " : "", scene.run.duration,
         scene.run.stops_when_settled() ? ", until drag, lift and trim moment have settled" : "", scene.sph.c0,
-        water_strikes_plate(scene) ? fmt::format(", the water's fall {:.4g} m/s and its jets more, as it "
-                                                 "strikes an elastic plate",
-                                                 explained_speed(scene))
-                                   : "");
+        water_strikes_plate(scene)
+            ? fmt::format(", the water falls at up to {:.4g} m/s, with faster jets, because it hits an elastic plate",
+                          explained_speed(scene))
+            : "");
     if (s.mean_from > 0 && scene.run.duration <= s.mean_from)
         out += "  note      the run ends before the means begin: no settled mean can be given\n";
     out += start_up_text(scene, p);

@@ -46,7 +46,7 @@ std::string critical_depth_warning(const Scene& scene) {
         "the stream is {:.2f} times as fast as the fastest wave in water {:.3g} m deep: near 1 the walls of the box "
         "change the resistance by more than can be estimated, and the flow may not become steady{}",
         froude, depth,
-        scene.domain.floor_ends_the_box ? fmt::format("; a box {:.3g} m deep (below) would do", enough) : "");
+        scene.domain.floor_ends_the_box ? fmt::format("; a box {:.3g} m deep (below) would suffice", enough) : "");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ EffectChoice plan_friction(const EffectQuestion& q) {
                                     n.reynolds, turbulent_from, ittc57(n.reynolds));
     c.influence =
         can ? influence(fmt::format("about {} N on what is wet at rest{}", plain_number(R), c.on ? "" : ", left out"),
-                        "none", "none", "added to the pressure drag of both methods alike; the flow does not feel it")
+                        "none", "none", "added to the pressure drag of both methods alike; it does not act on the flow")
             : influence("none", "none", "none");
     c.cost = 0;
     return c;

@@ -12,9 +12,8 @@ constexpr double wetted_bodies_hold_below = 7;
 EffectChoice plan_ventilation(const EffectQuestion& q) {
     EffectChoice c = q.choice(true);
     c.reason = fmt::format(
-        "water at walls lets go where its pressure would fall below the air's, from the free surface on ({:.3g} "
-        "m/s{}); "
-        "deep in the water suction stays",
+        "separation at ambient pressure: water leaves a wall where its pressure would fall below that of the air, "
+        "beginning at the free surface ({:.3g} m/s{}); deep in the water suction remains",
         q.flow.speed,
         q.flow.speed < wetted_bodies_hold_below ? ": a smooth body that water wets perfectly may hold it below 7 m/s"
                                                 : "");

@@ -255,7 +255,7 @@ Rows sph_keys() {
          .slot = slot(&Scene::sph, &SphOptions::gate_normal), .meaning = "Direction from the plane to what lies beyond it.", .later = true},
         {.name = "gate_link", .range = {1, 10}, .hashed = Hashed::run,
          .slot = slot(&Scene::sph, &SphOptions::gate_link),
-         .meaning = "Distance up to which particles count as connected at the gate, in spacings.", .later = true},
+         .meaning = "Distance up to which particles count as connected at the spray gate, in spacings.", .later = true},
     };
 }
 

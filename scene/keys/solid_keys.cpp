@@ -214,7 +214,7 @@ Rows body_keys() {
         {.name = "contact_factor", .range = positive, .hashed = Hashed::scene, .fallback = "0.01",
          .meaning = "Stiffness of a penalty contact over that of a cube of real water with the particles' spacing."},
         {.name = "coupling_iterations", .kind = Kind::whole, .range = {1, 50}, .hashed = Hashed::scene, .fallback = "1",
-         .meaning = "Coupling iterations of water and plate in each step; more than one repeats the sweep of the forces."},
+         .meaning = "Coupling iterations of water and plate in each step; more than one repeats the pair loop of the forces (coupling sub-iterations)."},
         {.name = "damping", .unit = "Hz", .range = not_negative, .hashed = Hashed::scene, .fallback = "0 Hz",
          .meaning = "Rate c of a structural damping -c M v."},
         {.name = "structure_step", .unit = "s", .range = positive, .hashed = Hashed::scene,

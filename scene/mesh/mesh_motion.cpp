@@ -289,7 +289,7 @@ MeshMotion motion_of_several(const std::vector<MovingBody>& bodies, const Scene&
         refuse(scene, "run.methods",
                fmt::format(
                    "body {} may move by {:.3g} m, and round several bodies the mesh is morphed, here within {:.3g} "
-                   "m of each, which bears half of that; move bodies and walls apart, shorten the run, expected "
+                   "m of each, which tolerates half of that; move bodies and walls apart, shorten the run, expected "
                    "methods = [\"sph\"], or body_mesh = \"morphing\", whose run is stopped where a body comes "
                    "too far",
                    farthest, way, m.outer));
@@ -331,12 +331,12 @@ MeshMotion mesh_motion(const Scene& scene) {
         refuse(scene, "fvm.body_mesh",
                "a mesh that moves as a whole would take the inlet with it; expected \"morphing\"");
     if (stream && !free_hull && asked == "auto" && way > 0.5 * (m.outer - m.inner))
-        refuse(
-            scene, "run.methods",
-            fmt::format("body {} may move by {:.3g} m in the stream, and the mesh is morphed within {:.3g} m of it, "
-                        "which bears half of that; shorten the run, lock its surge, expected methods = [\"sph\"], or "
-                        "body_mesh = \"morphing\", whose run is stopped where the body comes too far",
-                        body.name, way, m.outer));
+        refuse(scene, "run.methods",
+               fmt::format(
+                   "body {} may move by {:.3g} m in the stream, and the mesh is morphed within {:.3g} m of it, "
+                   "which tolerates half of that; shorten the run, lock its surge, expected methods = [\"sph\"], or "
+                   "body_mesh = \"morphing\", whose run is stopped where the body comes too far",
+                   body.name, way, m.outer));
     if (stream || asked == "morphing" || (asked == "auto" && room && way <= 0.5 * (m.outer - m.inner))) {
         if (!room)
             refuse(scene, "fvm.body_mesh",

@@ -99,7 +99,7 @@ void warn_of_end_at_wall(MovingBody& body, const Scene& scene) {
 void check_scheme(const Scene& scene, SceneSection& s) {
     if (scene.sph.scheme != "kick_drift_kick" && scene.sph.scheme != "symplectic_euler")
         s.fail("scheme",
-               "bodies that the water moves answer to the water that moves with them once a step; expected "
+               "the added mass of free bodies is taken into account once a step; expected "
                "\"kick_drift_kick\"");
 }
 
@@ -126,7 +126,7 @@ void check_elastic(const Scene& scene, Sections& s) {
             s.numerics.at("sph").fail("scheme",
                                       "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
         if (scene.effect_on("no_slip"))
-            s.effects.fail("no_slip", "friction is not handed over to elastic bodies; expected \"off\"");
+            s.effects.fail("no_slip", "friction does not act on elastic bodies; expected \"off\"");
     }
 }
 

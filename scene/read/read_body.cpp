@@ -24,7 +24,7 @@ Freedoms read_freedoms(SceneSection& s, bool flat) {
         for (const std::size_t k : {1u, 3u, 5u}) lock(k);
     if (!free.any())
         s.fail("locked",
-               "nothing is left that a free body could do; leave a motion free, make the solid an [[obstacle]] "
+               "all motions of this free body are locked; leave one free, make the solid an [[obstacle]] "
                "or its motion \"prescribed\"");
     return free;
 }

@@ -47,7 +47,7 @@ std::optional<Finding> narrow_part_of(const Scene& scene) {
     return Finding{
         Level::warning, "narrow_part",
         fmt::format("a step, chine or rail near ({:.4g}, {:.4g}, {:.4g}) m is {:.3g} m wide, {:.2g} spacings of "
-                    "near_hull = {:.3g} m{}: the water hardly sees it; [resolution] near_hull = {:.2g} m would "
+                    "near_hull = {:.3g} m{}: it is hardly resolved; [resolution] near_hull = {:.2g} m would "
                     "resolve it by three, or a [[refine]] box round it",
                     n.middle.x(), n.middle.y(), n.middle.z(), n.width, n.width / size, size,
                     narrow.size() > 1 ? fmt::format(" (the narrowest of {})", narrow.size()) : "", n.width / 3),
@@ -88,7 +88,7 @@ std::vector<Finding> check_attitude(const Scene& scene) {
         findings.push_back(
             {Level::warning, "barely_wet",
              fmt::format("the part under still water is only {:.3g} m {}, less than one particle spacing "
-                         "of {:.3g} m, so the particles hardly notice it; increase draft or refine "
+                         "of {:.3g} m, so the particles hardly resolve it; increase draft or refine "
                          "[resolution] near_hull",
                          wet[axis], sizes[axis], particle_spacing),
              hull.still.wet_bounds.min});

@@ -38,10 +38,8 @@ std::string why_one_size_afloat(const Scene& scene) {
         !(scene.resolution.spacing > scene.resolution.near_hull) || scene.tank_motion || !carries_a_body(scene))
         return {};
     return fmt::format(
-        "particles have one size, {:.4g} m: round a body afloat in water at rest coarser ones drift under the zone of "
-        "the "
-        "finer (6 % of its mass in 2 s), the water stirs, and the body sinks; [sph] levels asks for several all the "
-        "same",
+        "particles have one size, {:.4g} m: beside a body afloat in water at rest coarser ones would accumulate under "
+        "the zone of the finer ones (6 % of its mass in 2 s) and the body would sink; [sph] levels overrides this",
         scene.resolution.near_hull);
 }
 

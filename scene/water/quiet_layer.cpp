@@ -64,11 +64,11 @@ void warn_of_slow_hull(Scene& scene) {
     if (s.reynolds > slow_up_to || s.hydrostatic <= 10 * s.dynamic) return;
     hull.findings.push_back(
         {Finding::Level::warning, "slow_body",
-         fmt::format(
-             "Re = {:.2g}, and {:.2g} Pa of still water over it where the stream makes {:.2g} Pa: its drag by the "
-             "particles is no prediction, because their forces err by a share of the whole pressure; [effects] "
-             "gravity = \"off\" leaves the weight of the water away, which a body deep under water does not feel",
-             s.reynolds, s.hydrostatic, s.dynamic),
+         fmt::format("Re = {:.2g}, and {:.2g} Pa of still water over it where the stream makes {:.2g} Pa: its drag is "
+                     "not predicted by the particles, because the error of their forces is proportional to the whole "
+                     "pressure; [effects] gravity = \"off\" leaves out the weight of the water, which does not act on "
+                     "a body deep under water",
+                     s.reynolds, s.hydrostatic, s.dynamic),
          at.min});
 }
 
@@ -79,7 +79,7 @@ std::string no_quiet_layer(const Scene& scene) {
         return "it is for bodies in a tank at rest, without a hull or a stream";
     if (!(scene.water.gravity > 0)) return "there is no gravity, so no pressure of water at rest";
     if (!fills_the_tank(scene)) return "the water does not fill the tank to one level";
-    if (sizes_of_particles(scene) > 1) return "it wants particles of one size; set [sph] levels = 1";
+    if (sizes_of_particles(scene) > 1) return "it needs particles of one size; set [sph] levels = 1";
     if (scene.bodies.empty()) return "there is no body that moves";
     for (const MovingBody& b : scene.bodies) {
         if (b.elastic) return fmt::format("body {} is elastic", b.name);
@@ -156,7 +156,7 @@ void warn_of_slow_bodies(Scene& scene) {
                      across = s.size / scene.resolution.near_hull;
         if (across < 0.95 * spacings)  // facets take a little
             warn(fmt::format(
-                "its drag wants ten spacings in its diameter and five in its boundary layer, {:.2g} m or less "
+                "its drag needs ten spacings in its diameter and five in its boundary layer, {:.2g} m or less "
                 "(here {:.2g} m)",
                 s.size / spacings, scene.resolution.near_hull));
         if (scene.effect_on("dynamic_pressure") || s.hydrostatic <= 10 * s.dynamic) continue;
@@ -166,7 +166,7 @@ void warn_of_slow_bodies(Scene& scene) {
             "they carry the whole pressure; {}",
             s.hydrostatic, 100 * excess_of_drag(s),
             why.empty() ? "leave [effects] dynamic_pressure at \"auto\""
-                        : "[effects] dynamic_pressure would cure it, but " + why +
+                        : "[effects] dynamic_pressure would remove this error, but " + why +
                               "; the mesh method does not have this error"));
     }
 }

@@ -25,7 +25,7 @@ std::string state_of(const WaterGrid::Part& part) {
         return fmt::format("no free surface; begins with no pressure at its top, z = {:.4g} m", part.level);
     if (part.at_rest()) return fmt::format("at rest, level z = {:.4g} m", part.level);
     const std::string begins = "; begins under the pressure of incompressible water at that moment";
-    if (part.let_go) return "let go where no wall holds it" + begins;
+    if (part.let_go) return "released where no wall holds it" + begins;
     return fmt::format(
         "surfaces from z = {:.4g} to {:.4g} m are connected: it runs until they are level, also into what "
         "a solid encloses, unless the effect air is on{}",
@@ -41,7 +41,7 @@ void say_gaps(const Scene& scene, std::vector<std::string>& said) {
             if (gap > 1e-3 * dp && gap < 0.5 * dp)
                 said.push_back(
                     fmt::format("blocks {} and {} are {:.3g} m apart, less than half a particle of {:.4g} m: "
-                                "the particles take them to touch; let them share a face",
+                                "the particles treat them as touching; let them share a face",
                                 j + 1, i + 1, gap, dp));
         }
 }

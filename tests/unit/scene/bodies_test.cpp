@@ -356,8 +356,8 @@ INSTANTIATE_TEST_SUITE_P(
             "draft = 0.5\nmass = 1\nspin = [1, 0, 0]\n[motion]",
             "scene.toml:21:8: [[body]] spin = [1, 0, 0]: has a part in roll, which is locked (two dimensions"},
         Bad{"[run]", "[sph]\nscheme = \"rk4_frozen_diffusion\"\n[run]",
-            "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": bodies that the water moves answer to the "
-            "water that moves with them once a step"}));
+            "scene.toml:17:10: [sph] scheme = \"rk4_frozen_diffusion\": the added mass of free bodies is taken "
+            "into account once a step"}));
 
 // A centre far outside leaves a uniform solid no inertia that a body can have, and a law needs none.
 TEST(Bodies, WhatALawMovesIsNotAskedForItsInertia) {

@@ -70,7 +70,7 @@ TEST(SlowBodies, TooFewSpacingsAreWarnedOf) {
     const auto warned = [](const std::string& text) {
         const Scene scene = scene_of(text);
         for (const Finding& f : scene.bodies[0].findings)
-            if (f.message.find("wants ten spacings") != std::string::npos) return true;
+            if (f.message.find("needs ten spacings") != std::string::npos) return true;
         return false;
     };
     EXPECT_FALSE(warned(settling));

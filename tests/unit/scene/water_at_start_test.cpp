@@ -41,8 +41,8 @@ TEST(WaterAtStart, IsOneWaterHoweverItIsWritten) {
 }
 
 TEST(WaterAtStart, SaysWhatIsNotAtRest) {
-    EXPECT_TRUE(has(said_of({{0, 0, 0.2, 0.3}}), "let go where no wall holds it"));
-    EXPECT_FALSE(has(said_of({{0, 0, 0.2, 0.3}}, {{0.2, 0, 0.21, 0.4}}), "let go")) << "a gate holds it";
+    EXPECT_TRUE(has(said_of({{0, 0, 0.2, 0.3}}), "released where no wall holds it"));
+    EXPECT_FALSE(has(said_of({{0, 0, 0.2, 0.3}}, {{0.2, 0, 0.21, 0.4}}), "released")) << "a gate holds it";
     EXPECT_TRUE(has(said_of({{0, 0, 0.4, 0.1}, {0, 0.1, 0.1, 0.3}, {0.3, 0.1, 0.4, 0.2}}, {{0.1, 0.1, 0.3, 0.4}}),
                     "surfaces from z = 0.2 to 0.3 m are connected"));
     // a wall far thinner than a particle parts two waters
@@ -67,7 +67,7 @@ TEST(BodyAfloat, KeepsTheParticlesAtOneSizeUnlessTheSceneAsksForMore) {
     const Scene afloat = scene_of(pool + "density = 500\n" + sizes);
     EXPECT_TRUE(carries_a_body(afloat));
     EXPECT_EQ(afloat.sph.levels, 1);
-    EXPECT_TRUE(has(why_one_size_afloat(afloat), "[sph] levels asks for several"));
+    EXPECT_TRUE(has(why_one_size_afloat(afloat), "[sph] levels overrides this"));
     const Scene asked = scene_of(pool + "density = 500\n" + sizes + "[sph]\nlevels = 2\n");
     EXPECT_EQ(asked.sph.levels, 2);
     EXPECT_EQ(why_one_size_afloat(asked), "");
