@@ -86,8 +86,8 @@ struct FalseStart {
 
 std::string sentence(const std::string& body, double gap, double period) {
     std::string text = fmt::format(
-        "strains and displacements of {} are one way: the pressures on the rigid plate, put onto the shell after the "
-        "run; they are there every {:.3g} ms, {:.0f} times in the shell's first period of {:.3g} ms",
+        "strains and displacements of {} are one way: the pressures on the rigid plate, applied to the shell after the "
+        "run; they were written every {:.3g} ms, {:.0f} times in the shell's first period of {:.3g} ms",
         body, 1e3 * gap, period / gap, 1e3 * period);
     if (period / gap < fewest_per_period)
         text +=

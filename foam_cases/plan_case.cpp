@@ -353,7 +353,7 @@ void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
             ? "tools/build_openfoam_walls.sh builds it in the environment of that release"
             : "tools/build_openfoam_solvers.sh .openfoam builds it";
     throw InputError(fmt::format(
-        "this scene has forcing zones, which absorb the waves that the ends of the water would throw back, and {} {} "
+        "this scene has forcing zones, which absorb the waves that the ends of the water would reflect, and {} {} "
         "({}) has no library of them that works: {}; or switch them off by forcing_zones = \"off\" in [effects], and "
         "drag and level depend on the size of the box",
         openfoam.vendor, openfoam.version, openfoam.command(), remedy));
@@ -370,13 +370,15 @@ CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
     if (!scene.effect_on("ventilation"))
         plan.walls = "hold water under tension: the effect ventilation is off";
     else if (!open)
-        plan.walls = "hold water under tension: the domain is closed, no air can come in";
+        plan.walls = "hold water under tension: the domain is closed, no air can enter";
     else if (openfoam.wall_library.empty())
         plan.walls =
-            "hold water under tension: this OpenFOAM has no library of walls that let it go (it is built by "
+            "hold water under tension: this OpenFOAM lacks the library for separation at ambient pressure (it is built "
+            "by "
             "tools/build_openfoam_solvers.sh for Debian's and Ubuntu's, by tools/build_openfoam_walls.sh for others)";
     else
-        plan.walls = "let water go where air can come", plan.wall_library = openfoam.wall_library.string();
+        plan.walls = "allow separation at ambient pressure where air can reach them",
+        plan.wall_library = openfoam.wall_library.string();
     take_zone_library(plan, openfoam);
     return plan;
 }

@@ -83,7 +83,7 @@ private:
         const bool holds_run = fs::exists(case_) || fs::exists(record_file_);
         if (holds_run && !options_.resume && !options_.overwrite)
             throw InputError(options_.folder.string() +
-                             ": holds a run already; --resume goes on with it, --overwrite begins anew");
+                             ": holds a run already; --resume continues it, --overwrite begins anew");
         if (holds_run && !options_.resume) {
             fs::remove_all(case_);
             fs::remove(record_file_);
@@ -97,10 +97,9 @@ private:
         if (options_.resume && fs::exists(meshed_mark())) {
             if (record_.numbers.contains(release_factor_name)) release_with(record_.numbers[release_factor_name]);
             if (const std::string file = changed_file(plan_, case_); !file.empty())
-                throw InputError(
-                    (case_ / file).string() +
-                    ": the scene (or this file) was changed since the run began, it cannot be gone on with; "
-                    "put it back, or begin anew with --overwrite");
+                throw InputError((case_ / file).string() +
+                                 ": the scene (or this file) was changed since the run began, so the run cannot be "
+                                 "continued; restore it, or begin anew with --overwrite");
             // interFoam adds digits to its time names as it needs them; begun with fewer it does not find its last
             // folder
             for (const TimeFolders::Moment& m : TimeFolders(case_).moments())
@@ -138,7 +137,7 @@ private:
         if (!begun_with.empty() && begun_with != openfoam_.vendor + " " + openfoam_.version)
             throw InputError(fmt::format(
                 "{}: was begun with {}, which is not the OpenFOAM that is taken now ({} {}, "
-                "{}); go on with the former, or begin anew with --overwrite",
+                "{}); continue with the former, or begin anew with --overwrite",
                 record_file_.string(), begun_with, openfoam_.vendor, openfoam_.version, openfoam_.command()));
         if (said(earlier, "run_hash") != said(record_, "run_hash"))
             throw InputError(record_file_.string() +
@@ -247,7 +246,7 @@ private:
         save(folders);
         if (!outcome.failure.empty()) throw RunError(outcome.failure);
         if (outcome.stopped && !settled_)
-            return end("stopped", "stopped as asked; --resume goes on from the last write time");
+            return end("stopped", "stopped as asked; --resume continues from the last write time");
         if (const auto gap = first_gap(plan_, log_, record_, settled_.value_or(duration)))
             throw RunError(
                 fmt::format("{}: the solver's tables are not whole: {}; often the disk was full for a while; --resume "

@@ -186,10 +186,11 @@ void flow_through_pipe(OpenFoam& candidate) {
         const char* judged = candidate.sound
                                  ? "sound"
                                  : "FAULTY (miscompiled: velocities are wrong on meshes that are not axis-aligned)";
-        candidate.verdict = fmt::format("{} {}, {}: error {:.2g} m/s in a flow of {:g} m/s; walls {}; forcing zones {}",
-                                        candidate.vendor, candidate.version, judged, candidate.self_test_error,
-                                        exact_speed, candidate.wall_library.empty() ? "hold water" : "let water go",
-                                        candidate.zone_library.empty() ? "are missing" : "absorb waves");
+        candidate.verdict =
+            fmt::format("{} {}, {}: error {:.2g} m/s in a flow of {:g} m/s; walls {}; forcing zones {}",
+                        candidate.vendor, candidate.version, judged, candidate.self_test_error, exact_speed,
+                        candidate.wall_library.empty() ? "hold water under tension" : "allow separation",
+                        candidate.zone_library.empty() ? "are missing" : "absorb waves");
     } catch (const std::exception& e) {
         candidate.verdict = fmt::format("{} {}, unusable: {}", candidate.vendor, candidate.version, e.what());
     }

@@ -19,7 +19,7 @@ std::string allrun_script(const CasePlan& plan, int ranks) {
     }
     return fmt::format(R"(#!/bin/sh
 # ./Allrun            meshes and starts
-# ./Allrun continue   goes on from the last time folder
+# ./Allrun continue   continues from the last time folder
 # NP=2 ./Allrun       on two processors
 # SOLVER=/path/to/{0} ./Allrun   with another build of the solver ("twinwake doctor" tells which ones are sound)
 cd "${{0%/*}}" || exit 1
@@ -52,7 +52,7 @@ std::string case_readme(const CasePlan& plan) {
 OpenFOAM case written by twinwake for {1} {2} ({3}).
 
   ./Allrun             mesh and run from the start
-  ./Allrun continue    go on from the last time folder
+  ./Allrun continue    continue from the last time folder
   touch stop           end a running solver after it has written its state
 
 Still water is z = 0, x points to the stern. Background cells {4:.6g} m, finest cells {5:.6g} m.
@@ -65,10 +65,9 @@ postProcessing/fastest     largest velocity, every step: 1.3 to 1.6 times the st
 A restart does not continue bit by bit: forces differ by about 0.1 % afterwards, because interFoam does not store its last
 compression correction.
 )",
-        title, p.flavour.vendor_name(), p.flavour.version_name(), p.solver_program(), p.background_cell,
-        p.finest_cell,
+        title, p.flavour.vendor_name(), p.flavour.version_name(), p.solver_program(), p.background_cell, p.finest_cell,
         p.viscous ? (p.turbulent ? "Viscous and turbulent: k-omega SST with wall functions.\n" : "Viscous, laminar.\n")
-                  : "The solids let water slip: the twin of an SPH run without physical viscosity.\n",
+                  : "Slip on all solids: the counterpart of an SPH run without physical viscosity.\n",
         p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
         p.scene->hull && p.scene->hull->half ? " (half model)" : "");
 }

@@ -65,8 +65,8 @@ std::optional<double> release_factor(const CasePlan& plan, const CasePrograms& p
     const double share = lost.dot(wanted) / wanted.squaredNorm();
     if (!(share > -0.5 && share < 0.5))
         throw RunError(
-            fmt::format("the body loses {:.3g} % of its speed in its first steps through the air, which is not the "
-                        "air's doing; see {}",
+            fmt::format("the body loses {:.3g} % of its speed in its first steps through the air, more than the drag "
+                        "of the air explains; see {}",
                         100 * share, programs.log("first_steps").string()));
     return 1 / (1 - share);
 }

@@ -89,7 +89,7 @@ SolverOutcome solve(const CasePlan& plan, const CasePrograms& programs, int rank
             if (!wrong) wrong = disk_trouble(programs.case_folder(), 50e6);
             if (wrong) {
                 out.failure = *wrong;
-                write_text_atomically(stop_file, "twinwake stops the solver: it went wrong\n");
+                write_text_atomically(stop_file, "twinwake stops the solver: the run has failed\n");
                 out.process = end_gently(*child, 20);
                 fs::remove(stop_file, none);
                 break;

@@ -66,7 +66,7 @@ std::optional<std::string> wrong_volume(const Steps& steps, const Limits& limits
             last.most > 1 + limits.fraction ? last.most : last.least, last.time);
     if (last.continuity > limits.continuity)
         return fmt::format(
-            "the flow makes or swallows {:.2g} of the domain's volume in the step at t = {:.4g} s, where the limit is "
+            "the flow creates or loses {:.2g} of the domain's volume in the step at t = {:.4g} s, where the limit is "
             "{:g}: its pressure is not solved, most often at a bad cell of the mesh (see log.checkMesh)",
             last.continuity, last.time, limits.continuity);
     return {};
@@ -150,7 +150,7 @@ std::optional<std::string> disk_trouble(const fs::path& folder, double needed) {
     const fs::space_info space = fs::space(folder, error);
     if (error || static_cast<double>(space.available) >= needed) return std::nullopt;
     return fmt::format(
-        "{}: the disk is full: {:.1f} MB are free, {:.1f} MB are needed; free some space and go on with --resume",
+        "{}: the disk is full: {:.1f} MB are free, {:.1f} MB are needed; free some space and continue with --resume",
         folder.string(), 1e-6 * static_cast<double>(space.available), 1e-6 * needed);
 }
 

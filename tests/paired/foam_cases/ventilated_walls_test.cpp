@@ -54,7 +54,7 @@ locked = ["surge", "pitch"])",
     const RunRecord free = run(entry, true), held = run(entry, false);
     ASSERT_EQ(free.state, "finished") << free.reason;
     ASSERT_EQ(held.state, "finished") << held.reason;
-    EXPECT_EQ(free.attributes.at("walls"), "let water go where air can come");
+    EXPECT_EQ(free.attributes.at("walls"), "allow separation at ambient pressure where air can reach them");
     EXPECT_NEAR(depth(free, 0.05) / 0.105, 1, 0.04);
     EXPECT_NEAR(depth(free, 0.1) / 0.187, 1, 0.04);
     EXPECT_GT(depth(held, 0.1) / 0.187, 1.06) << "water that is held turns round the cylinder and pulls it down";

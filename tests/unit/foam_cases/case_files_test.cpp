@@ -200,7 +200,7 @@ TEST(CaseFiles, SolidsLetWaterGoWhereTheInstallationHasTheLibraryForIt) {
     EXPECT_SAYS(p_rgh(plan), "hull { type ventilatedWallPressure;");
     EXPECT_SAYS(p_rgh(plan), "inlet { type fixedFluxPressure;") << "the domain's own sides are as they were";
     EXPECT_SAYS(alpha_water(plan), "hull { type ventilatedWallFraction;");
-    EXPECT_EQ(plan.walls, "let water go where air can come");
+    EXPECT_EQ(plan.walls, "allow separation at ambient pressure where air can reach them");
 
     const auto holds = [&](const CasePlan& held, const char* why) {
         EXPECT_SILENT(control_dict(held), "libventilatedWall");
