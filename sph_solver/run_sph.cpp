@@ -96,7 +96,7 @@ private:
         if (holds_run && !options_.resume && !options_.overwrite)
             throw InputError(
                 options_.folder.string() +
-                ": holds a run already; go on with --resume, begin anew with --overwrite, or choose another --out");
+                ": holds a run already; continue with --resume, begin anew with --overwrite, or choose another --out");
         if (!options_.resume || !holds_run) return {};
         if (fs::exists(files_.record())) {
             RunRecord before = read_record(files_.record());
@@ -316,7 +316,7 @@ private:
         files_.finish();
         return end_as("stopped",
                       fmt::format("asked to stop at t = {:.6g} s; --resume {}", simulation_->time(),
-                                  has_checkpoint_ ? "goes on from the last checkpoint"
+                                  has_checkpoint_ ? "continues from the last checkpoint"
                                                   : "begins it again, as it has not reached its first checkpoint"));
     }
 

@@ -24,16 +24,14 @@ void refuse_unsolved(const SimulationSetup& setup, const Bodies& bodies) {
     if (all_fixed(bodies)) return;
     if (setup.partial_zones > 0)
         throw InputError(
-            "beside bodies that move no particles are finer than theirs: a [[refine]] finer than near_hull; a body "
-            "takes "
-            "its steps with the one size of particles that holds all round it, and finer ones would push it between");
+            "beside moving bodies no particles may be finer than near_hull, and a [[refine]] asks for finer ones: a "
+            "body is advanced with the particles of the one size around it, and finer ones would load it between its "
+            "steps");
     const bool stages = !Schedule(setup.scheme).stages().empty();
     if (stages && !std::ranges::all_of(bodies, [](const auto& body) { return body->prescribed(); }))
         throw InputError(
-            "bodies that the water moves need a time step of one evaluation, [sph] scheme \"kick_drift_kick\": they "
-            "answer "
-            "to the water that moves with them (added mass) once a step, with an acceleration relaxed from step to "
-            "step");
+            "free bodies need a time step with one evaluation, [sph] scheme \"kick_drift_kick\": their added mass is "
+            "taken into account once a step, with an acceleration relaxed from step to step");
     if (setup.scheme != Scheme::kick_drift_kick &&
         std::ranges::any_of(bodies, [](const auto& body) { return body->gives_way(); }))
         throw InputError(

@@ -219,8 +219,8 @@ void Level::check_speed(const OfAllParts& all) const {
     if (speed <= largest_mach * c0) return;
     const bool here = all.own_speed2 == all.sums.fastest.value && all.fastest < system_.particles.size();
     share_.fail_together({here ? std::optional(all.fastest) : std::nullopt, here ? share_.column_of(all.fastest) : 0,
-                          fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or a "
-                                      "wall was struck too hard",
+                          fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or "
+                                      "the impact on a wall was too violent",
                                       speed, speed / c0)});
 }
 

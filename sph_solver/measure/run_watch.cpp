@@ -16,7 +16,7 @@ void RunWatch::after_step(const Simulation& simulation) {
         const Ledger& l = water.ledger();
         throw RunError(
             fmt::format("no water is left at t = {:.6g} s: {} particles have left through open sides and {} were lost "
-                        "on the way; a tank without walls or lid, or a gap in them, lets it go",
+                        "on the way; a tank without walls or lid, or a gap in them, lets it escape",
                         simulation.time(), l.out, l.lost));
     }
     const LevelSetup& s = water.setup();
@@ -40,7 +40,7 @@ void RunWatch::note_step(double time, double step, double allowed) {
         throw RunError(fmt::format(
             "{:.3g} steps have been taken by t = {:.6g} s since the run was started, and {:.3g} were expected for all "
             "of its {:.6g} s: the step is held down to {:.2g} s, where sound allows {:.2g} s; often a body far lighter "
-            "than water or a wall that moves too fast. If this is meant, --resume goes on for as many steps again",
+            "than water or a wall that moves too fast. If this is meant, --resume continues for as many steps again",
             steps_, time, expected, expected_.duration, step, allowed));
 }
 
@@ -57,7 +57,7 @@ void RunWatch::after_frame(const RunRecord& record) const {
     if (!(v2 > 0)) return;
     const char* const cause =
         "the run has become unstable, often by a body far lighter than water, by water caught between walls, or by a "
-        "sound speed or time step of one's own; the stability certificate in the record says where";
+        "sound speed or time step of one's own; the validity checks in the record (table certificate) say where";
     if (const std::optional<double> made = energy_made(record); made && !(*made <= water * v2 / 4))
         throw RunError(fmt::format(
             "{:.4g} J more are in the water at t = {:.6g} s than anything has given it, and a fall with the "

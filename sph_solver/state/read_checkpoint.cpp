@@ -83,7 +83,7 @@ Checkpoint contents(const fs::path& path, const std::string& run_hash) {
         c.levels.push_back(read_level(h5::open_group(levels, std::to_string(k).c_str())));
     for (std::size_t k = 0; h5::has_attribute(levels, edge_name(k).c_str()); ++k) {
         const auto counts = h5::read_numbers_attribute(levels, edge_name(k).c_str());
-        if (counts.size() != 2) throw h5::Failure{"the births and deaths of its levels are not whole"};
+        if (counts.size() != 2) throw h5::Failure{"its counts of split and merged particles are not whole numbers"};
         c.edges.push_back({whole(counts[0]), whole(counts[1])});
     }
     if (c.levels.empty()) throw h5::Failure{"it holds no level of particles"};

@@ -67,7 +67,7 @@ TEST(RefusedCombinations, AFreeBodyBesideParticlesFinerThanItsOwn) {
     s.zones = {zone_between(0.4, 1.6, -infinite, infinite)};
     EXPECT_EQ(refusal(s), "");
     s.partial_zones = 1;
-    expect_refused(s, "would push it between");
+    expect_refused(s, "would load it between its steps");
     s.bodies[0].moving.reset();  // one that stays may
     EXPECT_EQ(refusal(s), "");
 }
