@@ -28,12 +28,13 @@ bool is_half(const fs::path& run) {
 /// What the gate of a run took out of it, see spray_table.
 void extract_taken(const SprayStudy& study, SprayResult& result) {
     const fs::path file = study.source.taken / "record.h5";
-    if (!fs::exists(file)) throw InputError(file.string() + ": not there; expected RUN/sph of a run with a gate");
+    if (!fs::exists(file)) throw InputError(file.string() + ": not there; expected RUN/sph of a run with a spray gate");
     RunRecord record = read_record(file);
     if (!record.numbers.contains(spray_gate_number))
-        throw InputError(file.string() +
-                         ": the run had no gate; expected gate_point and gate_normal in [sph] of its scene, or sph = "
-                         "... to look through its snapshots");
+        throw InputError(
+            file.string() +
+            ": the run had no spray gate; expected gate_point and gate_normal in [sph] of its scene, or sph = "
+            "... to look through its snapshots");
     if (record.tables.contains(spray_table)) {
         Table& t = record.table(spray_table);
         const auto column = [&t](const char* name, const char* unit) -> const std::vector<double>& {

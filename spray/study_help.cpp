@@ -28,7 +28,7 @@ const char* const spray_study_help =
     "  # openfoam = \"case\"           # or the velocity U of an OpenFOAM case, at time = 2 (the last unless given)\n"
     "  # outside = \"refuse\"          # droplets that leave a table or a case: refuse, or end their flight\n"
     "  [flight]\n"
-    "  duration = \"1 s\"              # after the last droplet was let go; tolerance = 1e-6, buoyancy = false,\n"
+    "  duration = \"1 s\"              # after the last droplet was released; tolerance = 1e-6, buoyancy = false,\n"
     "                                # falls_back = true, water_level = 0, drag = \"schiller_naumann\" or \"putnam\"\n"
     "  [[target]]                    # any number of surfaces\n"
     "  name = \"intake\"               # file = \"intake.stl\", unit = \"mm\"; or a disc:\n"

@@ -52,7 +52,7 @@ const std::vector<StabilityGate>& stability_gates() {
         {"compression", "%", 100 * trusted_compression, density, slow_sound,
          "water compressed to 95 % of its volume is not nearly incompressible; the engine stops at 30 %"},
         {"rarefaction", "%", 5, density, "water torn", "as for compression"},
-        {"step held down", "-", 20, HUGE_VAL, "time step collapsed", "as in a run's certificate"},
+        {"step held down", "-", 20, HUGE_VAL, "time step collapsed", "as in the validity checks of a run"},
     };
     return gates;
 }

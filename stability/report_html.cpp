@@ -27,10 +27,11 @@ std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
         "warned\">warned</span>, {} <span class=\"cell failed\">failed</span>.</p>"
         "<p>Each cell is a small run in two dimensions of the solver that runs scenes. Stable: it came to its end "
         "within "
-        "all limits. Warned: it came to its end, and its certificate says that its results are not to be trusted, most "
+        "all limits. Warned: it came to its end, and its validity checks say that its results are not to be trusted, "
+        "most "
         "often because the sound speed is too low. Failed: the solver stopped it, or it violated a physical law. The "
         "letters in a "
-        "cell are the gate that came nearest to its limit or went farthest beyond it: Ma Mach number, rho density, E "
+        "cell are the check that came nearest to its limit or went farthest beyond it: Ma Mach number, rho density, E "
         "energy made, KE motion of still water, p pressure error. The stated limit of the Courant number is {:g}.</p>",
         n.stable, n.warned, n.failed, stated_courant_limit);
     out +=

@@ -49,8 +49,8 @@ ReportTable unstable_cells(const std::vector<StabilityMap>& maps) {
 }
 
 ReportTable gates_of_the_map() {
-    ReportTable table{"The gates",
-                      {words("Gate"), words("unit"), numbers("warned above"), numbers("failed above"), words("means"),
+    ReportTable table{"Validity checks",
+                      {words("check"), words("unit"), numbers("warned above"), numbers("failed above"), words("means"),
                        words("reason of the limits")}};
     for (const StabilityGate& gate : stability_gates())
         table.rows.push_back(

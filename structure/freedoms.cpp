@@ -19,8 +19,9 @@ void Freedoms::hold(std::span<const int> nodes, std::initializer_list<int> which
     for (const int n : nodes)
         for (const int d : which) {
             if (n < 0 || n >= static_cast<int>(nodes_.size()) || d < 0 || d >= per_node_)
-                throw InputError(fmt::format("a support of freedom {} of node {}; there are {} nodes of {} freedoms", d,
-                                             n, nodes_.size(), per_node_));
+                throw InputError(fmt::format(
+                    "a support of degree of freedom {} of node {}; there are {} nodes of {} degrees of freedom", d, n,
+                    nodes_.size(), per_node_));
             held_[static_cast<std::size_t>(per_node_ * n + d)] = true;
         }
 }
@@ -81,7 +82,7 @@ SparseMatrix Freedoms::basis() const {
             for (int k = 0; k < 3; ++k) add(3 + k, Vec3::Unit(k).cross(r)[d]);
         }
     }
-    if (unknowns == 0) throw InputError("every freedom of the structure is held; nothing is left to move");
+    if (unknowns == 0) throw InputError("every degree of freedom of the structure is held; nothing is left to move");
     SparseMatrix T(all(), unknowns);
     T.setFromTriplets(entries.begin(), entries.end());
     return T;

@@ -37,7 +37,7 @@ Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count) {
         last = now;
         if (change < 1e-10) return {(now.head(wanted).array() - shift).max(0).sqrt().matrix(), X.leftCols(wanted)};
     }
-    throw RunError("the modes of the structure did not settle in 200 sweeps");
+    throw RunError("the modes of the structure did not converge in 200 iterations");
 }
 
 double first_period(const Shell& shell, const Freedoms& freedoms) {

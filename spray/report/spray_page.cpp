@@ -244,7 +244,7 @@ std::string spray_html(const SprayStudy& study, const SprayResult& r) {
     out += "<h2>The spray</h2>";
     out += envelope("Envelope from the side", "x [m]", r.side) + envelope("Envelope from the front", "y [m]", r.front);
     out += distribution("Sizes", "d [mm]", r, [](const Droplet& d) { return 1e3 * d.diameter; });
-    out += distribution("Speeds when let go", "speed [m/s]", r, [](const Droplet& d) { return d.velocity.norm(); });
+    out += distribution("Speeds at release", "speed [m/s]", r, [](const Droplet& d) { return d.velocity.norm(); });
     std::string maps;
     for (std::size_t t = 0; t < study.targets.size(); ++t) maps += target_map(r, study.targets[t], static_cast<int>(t));
     if (!maps.empty()) out += "<h2>Arrivals</h2>" + maps;

@@ -61,7 +61,7 @@ double largest_share_difference(std::span<const double> a, std::span<const doubl
 ReportTable two_sprays(const NamedSpray& one, const NamedSpray& other, const Liquid& liquid) {
     const Statistics a = statistics(one.droplets, liquid), b = statistics(other.droplets, liquid);
     ReportTable t{"Two sprays",
-                  {words("of the droplets when let go"), words("unit"), numbers(one.name, "", 4),
+                  {words("of the droplets at release"), words("unit"), numbers(one.name, "", 4),
                    numbers(other.name, "", 4), numbers("second over first", "", 3)}};
     const auto row = [&](const char* what, const char* unit, double x, double y) {
         t.rows.push_back({{what, unit, x, y, y / x}});

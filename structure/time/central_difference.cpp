@@ -11,8 +11,7 @@ namespace tw::structure {
 
 CentralDifference::CentralDifference(const SparseMatrix& mass, SparseMatrix basis, Force force)
     : basis_(std::move(basis)), M_(basis_.transpose() * mass * basis_), inertia_(M_), force_(std::move(force)) {
-    if (!inertia_.positive_definite())
-        throw RunError("the structure has a freedom without mass");
+    if (!inertia_.positive_definite()) throw RunError("the structure has a degree of freedom without mass");
     state_.q = state_.v = Eigen::VectorXd::Zero(basis_.cols());
     state_.f = basis_.transpose() * force_(basis_ * state_.q, 0);
 }

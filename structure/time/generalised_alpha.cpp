@@ -26,7 +26,7 @@ GeneralisedAlpha::GeneralisedAlpha(const SparseMatrix& stiffness, const SparseMa
     beta_ = (1 - am_ + af_) * (1 - am_ + af_) / 4;
     solver_.factorise((1 - am_) * M_ + (1 - af_) * beta_ * dt * dt * K_);
     if (!solver_.positive_definite())
-        throw RunError("the structure has a freedom with neither mass nor stiffness");
+        throw RunError("the structure has a degree of freedom with neither mass nor stiffness");
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(basis_.cols());
     state_ = {none, none, none, none};
 }
@@ -35,7 +35,7 @@ void GeneralisedAlpha::start(const Eigen::VectorXd& u, const Eigen::VectorXd& v,
     // The unknowns of given displacements: exact where supports and rigid parts allow them.
     const SparseMatrix normal = basis_.transpose() * basis_;
     const SparseCholesky unknowns(normal), inertia(M_);
-    if (!inertia.factorised()) throw RunError("the structure has a freedom without mass");
+    if (!inertia.factorised()) throw RunError("the structure has a degree of freedom without mass");
     state_.q = unknowns.solve(basis_.transpose() * u);
     state_.v = unknowns.solve(basis_.transpose() * v);
     state_.f = basis_.transpose() * load;

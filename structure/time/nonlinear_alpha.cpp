@@ -72,7 +72,7 @@ NonlinearAlpha::NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, dou
             .norm();
     solver_.factorise(2 / (dt * dt) * M_ + 0.5 * K);
     if (!solver_.positive_definite())
-        throw RunError("the structure has a freedom with neither mass nor stiffness");
+        throw RunError("the structure has a degree of freedom with neither mass nor stiffness");
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(basis_.cols());
     state_ = {Eigen::VectorXd::Zero(freedoms.all()), none, none, none, none};
 }
@@ -91,7 +91,7 @@ Eigen::VectorXd NonlinearAlpha::moved(const Eigen::VectorXd& u, const Eigen::Vec
 void NonlinearAlpha::start(const Eigen::VectorXd& v, const Eigen::VectorXd& load) {
     const SparseMatrix normal = basis_.transpose() * basis_;
     const SparseCholesky unknowns(normal), inertia(M_);
-    if (!inertia.factorised()) throw RunError("the structure has a freedom without mass");
+    if (!inertia.factorised()) throw RunError("the structure has a degree of freedom without mass");
     state_.u.setZero();
     state_.v = unknowns.solve(basis_.transpose() * v);
     state_.f = basis_.transpose() * load;
