@@ -32,9 +32,9 @@ private:
     double angle_within(double gap) const;
 
     struct Face {
-        double down;  ///< cosine of the angle between the outward normal and straight down
+        double down;  ///< cosine of the angle between the outward normal and straight down [-]
         double area;  ///< [m2]
-        double gap;
+        double gap;   ///< [rad]
     };
     std::vector<Face> faces_;
     double suction_area_ = 0, suction_force_ = 0;

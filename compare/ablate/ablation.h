@@ -58,7 +58,7 @@ struct AblationRow {
     std::size_t run = 0;    ///< in Ablation::runs
     std::string influence;  ///< what the plan says of the effect, in full
     std::vector<AblationChange> changes;
-    double processor_before = nan, processor_after = nan;  ///< as in AblationSide
+    double processor_before = nan, processor_after = nan;  ///< as in AblationSide [s]
     double cost = nan;                                     ///< change of it [%]
     double steps = nan;                                    ///< change of the number of time steps [%]
     double predicted_cost = nan;  ///< change that the plan's costs make [%]; of a particle run only

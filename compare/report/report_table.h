@@ -23,7 +23,7 @@ ReportColumn numbers(std::string name, std::string unit = {}, int digits = 3);
 /// Words, or a number whose digits the column decides; a number that is not finite is "–", and nothing in CSV.
 struct ReportCell {
     std::string text;
-    double number = std::numeric_limits<double>::quiet_NaN();
+    double number = std::numeric_limits<double>::quiet_NaN();  ///< [unit of the column]
     bool is_number = false;
     Mark mark = Mark::none;
     int source = -1;    ///< colour key on the page

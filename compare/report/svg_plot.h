@@ -16,17 +16,17 @@ struct PlotLine {
 /// A settled mean with its interval over the window it was taken from.
 struct PlotBand {
     std::size_t source = 0;
-    double from = 0, to = 0, value = 0, half_width = 0;
+    double from = 0, to = 0, value = 0, half_width = 0;  ///< as the axes
 };
 /// A horizontal reference with a label.
 struct PlotLevel {
     std::string name;
-    double value = 0;
+    double value = 0;  ///< as the axis y
 };
 /// A picture laid under the axes in data coordinates.
 struct PlotImage {
     std::string png_base64;
-    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< as the axes
 };
 
 /// A box in data coordinates: its edges in the source's colour over a pale filling (none where dashed), its label where
@@ -35,12 +35,12 @@ struct PlotBox {
     std::string label;
     std::size_t source = 0;
     bool dashed = false;
-    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< as the axes
     std::vector<PlotBox> parts = {};  ///< boxes side by side along x, drawn as one outline in place of the box
 };
 /// A solid's shadow: at each x, `step` apart, it covers [low, high]; an x may come several times.
 struct PlotShadow {
-    double step = 0;
+    double step = 0;                   ///< as the axis x
     std::vector<double> x, low, high;  ///< of equal length, in the plot's units
 };
 

@@ -28,7 +28,7 @@ bool planes(const Scene& scene);
 
 /// Where the box ends: half width and depth [m].
 struct WallReach {
-    double side = 0, depth = 0;
+    double side = 0, depth = 0;  ///< [m]
 };
 /// Where sides and floor raise the lift of a planing hull by half of `change` each, by the first line.
 WallReach reach_for_lift(const Hull& hull, double change);

@@ -51,7 +51,7 @@ bool has_zones_by_default(const Scene& scene, double gravity);
 
 /// How far the zones of a stream reach beyond its box [m].
 struct ZoneReach {
-    double ahead = 0, behind = 0, side = 0;
+    double ahead = 0, behind = 0, side = 0;  ///< [m]
 };
 /// Of a domain whose box is still without them.
 ZoneReach zone_reach(const Scene& scene, double gravity);

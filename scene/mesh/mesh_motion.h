@@ -15,12 +15,12 @@ struct MeshMotion {
     } kind = Kind::none;
 
     /// Morphing: cells nearer than `inner` to the body move with it, those farther than `outer` stay [m].
-    double inner = 0, outer = 0;
+    double inner = 0, outer = 0;  ///< [m]
     /// Morphing: how far any point of the body may move [m]. Cells fold at 2/pi of outer - inner (the blend is a
     /// cosine); the run is stopped at nine tenths of that.
     double stretch() const { return 0.57 * (outer - inner); }
     /// How far the body can come from where it starts, at most, as far as is known beforehand [m].
-    double down = 0, up = 0, aside = 0;
+    double down = 0, up = 0, aside = 0;  ///< [m]
 
     bool whole_mesh() const { return kind == Kind::sliding || kind == Kind::open_water; }
     std::string sentence() const;  ///< for people: the technique and what it leaves out; empty where nothing moves

@@ -16,7 +16,7 @@ struct WaterBounds {
     std::array<std::array<bool, 2>, 3> walls{};  ///< faces of the domain that hold the water: [axis][low, high]
     std::span<const SurfaceQuery> solids;
     /// A wall or a solid nearer than this to a face of the water holds it: no particle goes between [m].
-    double clear = 0;
+    double clear = 0;  ///< [m]
 };
 
 /// The cells of a group of boxes of water that touch (base/disjoint_boxes.h), between planes of which some lie on all
