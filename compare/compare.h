@@ -91,7 +91,7 @@ struct Reference {
     std::string bias = {};    ///< how far measurements lie from it, for the end of a sentence; empty: not known
 };
 
-/// One soundness check of one run, or one line of its stability certificate: value against limit.
+/// One validity check of one run, of its record or made while it ran (certificate): value against limit.
 struct Gate {
     std::string name, source, unit;  ///< source: the run's name
     double value = 0, limit = 0;     ///< [unit]
@@ -129,7 +129,7 @@ struct Comparison {
     std::vector<Gate> gates;
     std::vector<std::string> banners;  ///< warnings that stand on top of the report
     double agree_within = 0.05;        ///< [-]
-    std::string discretisation_from;   ///< "runs of 3 sizes", "the twins of prism, 6 m/s"; empty: not estimated
+    std::string discretisation_from;   ///< "runs of 3 sizes", "the coarser runs of prism, 6 m/s"; empty: not estimated
 
     const Quantity* find(const std::string& name) const;
     /// Of a source that failed: what it recorded stands in the tables, and no difference is taken from it.

@@ -26,7 +26,7 @@ struct Phase {                 ///< where the time went
     double wall = 0, cpu = 0;  ///< [s]
 };
 
-/// One line of a run's stability certificate: the worst value of something that has to stay below a limit, when and
+/// One validity check of a run (certificate): the largest value of something that has to stay below a limit, when and
 /// where.
 struct CertificateLine {
     std::string name, unit;

@@ -37,7 +37,7 @@ struct HardCase {
 
 /// What one case came to.
 struct HardCaseRun {
-    /// The run's stability certificate (`watch_stability`) and, beside it, what these cases alone can tell:
+    /// The run's validity checks (`watch_stability`) and, beside it, what these cases alone can tell:
     ///   particles missing      start + in - out - now, and in closed cases what went out          0
     ///   energy made            impact: largest growth over the kinetic energy at the start; tank: over the potential energy
     ///   motion of still water  tank: kinetic energy at the end over rho g H V

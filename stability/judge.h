@@ -11,7 +11,7 @@ namespace tw {
 enum class Stability { stable, warned, failed };
 const char* to_string(Stability stability);
 
-/// What a line of the certificate may reach.
+/// What a validity check may reach.
 struct StabilityGate {
     std::string line, unit;
     double warned, failed;  ///< above which the case is that

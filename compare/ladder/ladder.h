@@ -15,7 +15,7 @@ namespace tw {
 /// An uncertainty or a change that is no more than the last digits of its value says nothing.
 inline bool no_more_than_rounding(double U, double value) { return std::abs(U) <= 1e-9 * std::abs(value); }
 
-/// What a ladder keeps of one finished run.
+/// What a ladder (grid-convergence study) keeps of one finished run.
 struct LadderRun {
     std::string title, method;
     std::filesystem::path file;            ///< its record; empty: none on disk

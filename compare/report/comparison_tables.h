@@ -13,7 +13,7 @@ ReportTable quantities_table(const Comparison& comparison, bool judged);
 ReportTable left_out_table(const Comparison& comparison);
 /// How the settled means were taken.
 ReportTable settling_table(const Comparison& comparison);
-/// Soundness checks and the lines of the stability certificates; `failed_only`: those that are not met.
+/// Validity checks of the record and of the run itself; `failed_only`: those that are not met.
 ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only);
 ReportTable effects_table(const Comparison& comparison);
 ReportTable cost_table(const Comparison& comparison);

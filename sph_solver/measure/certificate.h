@@ -4,7 +4,7 @@
 
 namespace tw {
 
-/// The run's stability certificate, kept up after each step: worst values against the limits at which a run is stopped,
+/// The run's validity checks, kept up after each step: extreme values against the limits at which a run is stopped,
 ///
 ///   Mach number            max |u| / c0                              1
 ///   compression            max (rho - rho0) / rho0                   30 %
