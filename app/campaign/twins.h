@@ -22,7 +22,7 @@ public:
     std::vector<CampaignRun> runs() const;  ///< those to be made, cheapest first
     double seconds() const;                 ///< predicted, of those that are not finished [s]
     /// "grid triplet: 4 coarser runs and one in a wider box, about 21 s (+ 31 %); --no-twins leaves them out";
-    /// what is left out, and those that are not similar to the scene's own run, below it. `own`: predicted time of the scene's own
+    /// what is left out, and runs not similar to the scene's own, below it. `own`: predicted time of the scene's own
     /// runs [s].
     std::string prediction_text(const Scene& scene, double own) const;
 
