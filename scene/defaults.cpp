@@ -159,7 +159,9 @@ double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
 void fill_times(Scene& scene) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const double T = time_scale(scene);
-    if (scene.run.duration == 0) scene.run.duration = default_duration(scene);
+    // A run that ends when it has settled takes no more than it needs; its bound is for the slow ones.
+    if (scene.run.duration == 0)
+        scene.run.duration = (scene.run.stops_when_settled() ? 2 : 1) * default_duration(scene);
     if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
         scene.sampling.mean_from = stream ? start_of(scene) + settling(scene) : 5 * T;

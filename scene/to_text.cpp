@@ -102,7 +102,8 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
                          "a settled mean needs a run of about {:.3g} s: this one\n            may give no drag; one "
                          "of {:.2g} times its cost would\n",
                          wanted, wanted / duration);
-    const double planing = scene.motion.ramp + 3 * L_over_U, rest = 1 - planing / duration;
+    const double planing = scene.motion.ramp + 3 * L_over_U, last = scene.run.stops_when_settled() ? wanted : duration,
+                 rest = (last - planing) / duration;
     if (!(rest > 0)) return out + "the run is long enough for it\n";
     out +=
         fmt::format("waiting for one and averaging over three takes {:.0f} % of this\n            run: ", 100 * rest);

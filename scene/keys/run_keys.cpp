@@ -109,7 +109,7 @@ Rows domain_keys() {
 Rows run_keys() {
     return {
         {.name = "duration", .unit = "s", .range = positive, .slot = slot(&Scene::run, &Run::duration),
-         .fallback = "ramp + 3 L/U, below Froude number 1 at least ramp + 32 pi U/g, of a free hull five heaves more (check tells); 10 sqrt(H/g) in a tank "
+         .fallback = "ramp + 3 L/U, below Froude number 1 at least ramp + 32 pi U/g, of a free hull five heaves more (check tells); twice that where stop is \"settled\"; 10 sqrt(H/g) in a tank "
                      "of water height H",
          .meaning = "Simulated time; a longer run of the same scene has the same hash. With stop = \"settled\" the most that a run may take; without it (or as \"auto\") a hull that is held in a stream stops when its loads have settled."},
         {.name = "stop", .kind = Kind::choice, .choices = {"auto", "settled", "duration"}, .slot = slot(&Scene::run, &Run::stop),

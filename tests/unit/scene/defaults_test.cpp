@@ -73,6 +73,11 @@ TEST(Defaults, AHullHeldInAStreamWithoutADurationStopsWhenItsLoadsHaveSettled) {
     const Scene free = scene_of(run_of(""));
     EXPECT_EQ(free.run.stop, "settled");
     EXPECT_EQ(scene_of(run_of("duration = \"auto\"\n")).run.duration, free.run.duration);
+    // twice what is run where nothing ends it before: slow loads have not settled by then
+    const Scene whole = scene_of(run_of("stop = \"duration\"\n"));
+    EXPECT_NEAR(whole.run.duration, whole.motion.ramp + 3 * time_scale(whole), 1e-12);
+    EXPECT_NEAR(free.run.duration, 2 * whole.run.duration, 1e-12);
+    EXPECT_EQ(scene_of(run_of("stop = \"settled\"\n")).run.duration, free.run.duration);
     EXPECT_EQ(scene_of(planing).run.stop, "duration") << "as ever";
     const Scene bound = scene_of(run_of("duration = \"1.5 s\"\nstop = \"settled\"\n"));
     EXPECT_TRUE(bound.run.stops_when_settled());
