@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "meshes/query.h"
 
 namespace tw {
@@ -11,5 +13,10 @@ namespace tw {
 /// pulls: a suction behind every transom and chine. Such water slides off the face that it flows along, so there it is
 /// the normal, of the faces that meet, that the water follows least.
 Vec3 slip_normal(const SurfaceQuery& query, const SurfaceQuery::Nearest& nearest, const Vec3& u);
+
+/// When water at `x` of velocity `u` [m/s], past a face `found` of the surface, comes beyond a sharp edge in which that
+/// face ends [s]; none: not within the way `reach` [m].
+std::optional<double> time_to_edge(const SurfaceQuery& query, const SurfaceQuery::Nearest& found, const Vec3& x,
+                                   const Vec3& u, double reach);
 
 }  // namespace tw

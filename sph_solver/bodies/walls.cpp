@@ -181,12 +181,14 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
         Vec3 n = body.turned(slip_normal(body.query(), found, body.turned_back(relative)));
         // the rounding of a normal would be enough: water pressed in a plane buckles out of it
         if (two_dimensional_) n = Vec3(n.x(), 0, n.z()).normalized();
-        const bool no_edge = found.on_face() || body.gives_way();  // of these the forces on dummies know none
-        const Eigen::Vector3f e =
-            no_edge ? Eigen::Vector3f::Zero().eval() : relative.stableNormalized().cast<float>().eval();
+        const std::optional<double> passes =
+            body.gives_way()  ? std::nullopt  // of these the forces on dummies know none
+            : found.on_face() ? time_to_edge(body.query(), found, body.at_start(x), body.turned_back(relative), reach)
+                              : 0;
+        const Eigen::Vector3f way = passes ? relative.cast<float>().eval() : Eigen::Vector3f::Zero().eval();
         r = {{static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()),
               static_cast<float>(found.distance)},
-             {e.x(), e.y(), e.z(), no_edge ? 0 : static_cast<float>(relative.squaredNorm())},
+             {way.x(), way.y(), way.z(), static_cast<float>(passes.value_or(0))},
              b,
              found.triangle};
     }

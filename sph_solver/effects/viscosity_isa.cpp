@@ -53,6 +53,7 @@ struct Friction {
         if (d.wall_velocity[j].drho > WallPressure::least_support)
             ViscousForce::add(ij, 2.0f * mu_i, velocity(d.wall_velocity[j]) - u_i, force);
     }
+    using OfBody = V3<Real>;
     V3<Real> push(const V3<Real>& force) {
         const V3<Real> a = inv_rho * force;
         a_wall += a;

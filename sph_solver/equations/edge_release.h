@@ -15,12 +15,29 @@ namespace tw {
 ///
 /// Where water surrounds the edge its own pairs balance the wall's and nothing may be taken: there the support is full,
 /// or, beside a void deep in the water, p_i is large. Water in the open has little pressure for its speed.
+///
+/// Water that comes up to a dry edge has dummies behind it and none before it. What a pressure that is the same all round,
+/// p_i, adds to the pair sums along the way is not balanced: a push of p h / 2 towards the edge, which is taken away,
+///
+///   a_i <- a_i - s_i v_i max(0, b_i . e_i) e_i,   b_i = -2 p_i / rho_i sum_d grad_i W_id V_d,
+///   v_i = clamp((1 - S_i) / 0.02, 0, 1)
+///
+/// so that the wall acts along the way by the differences of pressure in it, as if it went on. v_i: whether there is
+/// nothing beyond the edge. Of a dry edge the void takes 0.07 of the support half a spacing before it, 0.03 a spacing.
 template <class Real>
 struct EdgeRelease {
-    V3<Real> e;  ///< zero: no edge
-    Real s;
-    void apply(V3<Real>& a) const { a -= s * positive_part(dot(a, e)) * e; }
+    V3<Real> w;        ///< velocity past the wall, along e; zero: no edge
+    Real past, ahead;  ///< s_i / w^2 beyond the edge, s_i v_i / w^2 before it; else zero
+    /// `uniform`: b_i . w_i
+    void apply(V3<Real>& a, const Real& uniform) const {
+        a -= (past * positive_part(dot(a, w)) + ahead * positive_part(uniform)) * w;
+    }
 };
+/// v_i.
+inline float void_beyond(float support) {
+    const float share = (1 - support) / 0.02f;
+    return share < 0 ? 0 : share > 1 ? 1 : share;
+}
 
 /// s_i; `speed2`: w_i^2, above zero.
 inline float released_share(float p, float rho0, float speed2) {

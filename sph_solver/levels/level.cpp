@@ -83,7 +83,7 @@ void Level::refresh(double drift) {
         const Stopwatch watch(timers_.lists);
         ++timers_.rebuilds;
         steps_->make_lists(drift);
-        life.travel = life.travel_in_stream = life.wall_travel = 0;
+        life.travel = life.travel_in_stream = life.wall_travel = life.age = 0;
         life.over = false;
         return;
     }

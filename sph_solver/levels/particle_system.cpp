@@ -118,6 +118,7 @@ SecondSweepData ParticleSystem::second_sweep_data(double t) {
     SecondSweepData d{.water = water_view(),
                       .walls = wall_view(),
                       .leaving = particles.wall_leaving.data(),
+                      .since_lists = static_cast<float>(near.life.age),
                       .shift = particles.shift_support.data(),
                       .rate = particles.rate.data(),
                       .wall_load = walls.group_loads().data(),

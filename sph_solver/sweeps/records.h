@@ -59,9 +59,10 @@ struct alignas(16) WallNormalRecord {
 };
 inline constexpr WallNormalRecord no_wall{0, 0, 0, 1e30f};
 
-/// The way past the nearest wall of a particle beyond an edge: unit vector, and squared speed [m2/s2]; zero elsewhere.
+/// The velocity past the nearest wall of a particle before or beyond an edge [m/s], zero elsewhere, and when it passes that
+/// edge, from the moment on at which the lists were made [s].
 struct alignas(16) LeavingRecord {
-    float x, y, z, speed2;
+    float u, v, w, passes;
 };
 
 /// How much of the pressure the pair forces carry from a particle: m = sum_j r_ji (x) grad_i W_ij V_j. In the continuum it

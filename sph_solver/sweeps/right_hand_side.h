@@ -61,12 +61,13 @@ struct SecondSweep : SecondSums {
         PressureGradient::add(ij, p_i + s_j.p + artificial_viscosity.pressure(ij, u_i - velocity(r_j)), water);
     }
     void meet_at_surface(const Met& ij) { towards_surface += ij.V_gradW(); }  // those of them at the free surface
-    void meet_wall(std::int32_t j, const Met& ij, V3<Real>& force) const {    // a dummy, body by body
-        PressureGradient::add(ij, p_i + d.walls.p[j], force);
+    void meet_wall(std::int32_t j, const Met& ij, OfBody& of) const {         // a dummy, body by body
+        PressureGradient::add(ij, p_i + d.walls.p[j], of.force);
+        if (some_ahead) of.along -= ij.FV * dot(ij.r_ji, edge_release.w);
     }
-    V3<Real> push(const V3<Real>& force) {  // by a body, which gets the opposite
-        V3<Real> a = inv_rho * force;
-        edge_release.apply(a);
+    V3<Real> push(const OfBody& of) {  // by a body, which gets the opposite
+        V3<Real> a = inv_rho * of.force;
+        edge_release.apply(a, 2.0f * inv_rho * p_i * of.along);
         a_wall += a;
         return a;
     }

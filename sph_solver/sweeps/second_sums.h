@@ -34,6 +34,7 @@ struct SecondSums {
     Real diffusion{};
     V3<Real> water{}, towards_surface{}, a_wall{};
     EdgeRelease<Real> edge_release{};
+    bool some_ahead = false;  ///< of an edge
 
     SecondSums(const SecondSweepData& data, const Own& i)
         : d(data),
@@ -52,14 +53,27 @@ struct SecondSums {
 
     ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
     void sums(auto&& of) { of(diffusion, water, towards_surface); }
-    /// Some of the particles are beyond an edge and lack support.
+    /// What the dummies of one body give.
+    struct OfBody {
+        V3<Real> force{};
+        Real along{};  ///< -sum_d grad_i W_id V_d . w_i
+        void sums(auto&& of) { of(force, along); }
+    };
+    /// Some of the particles are before an edge, or beyond one and lack support.
     void reach_walls(const Own& i) {
         if (d.leaving == nullptr) return;
         i.for_each([&](int own, int l) {
             const LeavingRecord& way = d.leaving[own];
-            if (way.speed2 == 0 || (d.water.surface[own / 32] >> (own % 32) & 1) == 0) return;
-            edge_release.e.x[l] = way.x, edge_release.e.y[l] = way.y, edge_release.e.z[l] = way.z;
-            edge_release.s[l] = released_share(d.water.stress[own].p, d.water.rho0, way.speed2);
+            const float speed2 = way.u * way.u + way.v * way.v + way.w * way.w;
+            if (speed2 == 0) return;
+            const bool past = way.passes <= d.since_lists;
+            if (past && (d.water.surface[own / 32] >> (own % 32) & 1) == 0) return;
+            const float share = released_share(d.water.stress[own].p, d.water.rho0, speed2) / speed2;
+            edge_release.w.x[l] = way.u, edge_release.w.y[l] = way.v, edge_release.w.z[l] = way.w;
+            if (past)
+                edge_release.past[l] = share;
+            else
+                edge_release.ahead[l] = share * void_beyond(d.shift[own].support), some_ahead = true;
         });
     }
 

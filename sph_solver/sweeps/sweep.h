@@ -19,8 +19,8 @@
 //   void reach_walls(const Own& i);                           where a wall is near: loads what the walls' sums want,
 //   void meet_beside_wall(const Met& ij);                     and the neighbours in the water once more
 //   void meet_wall(std::int32_t j, const Met& ij);            a wall dummy
-//   void meet_wall(std::int32_t j, const Met& ij, V3<Real>& force);   or body by body: the sum of one,
-//   V3<Real> push(const V3<Real>& force);                     the acceleration by it, which goes to Data::wall_load
+//   void meet_wall(std::int32_t j, const Met& ij, OfBody& of);   or body by body: the sums of one,
+//   V3<Real> push(const OfBody& of);                          the acceleration by it, which goes to Data::wall_load
 //   void sums(auto&& of) { of(a, b); }                        its sums over neighbours, but those that `push` makes
 //
 // The order of operations is part of the results: products are fused with sums in the order in which they stand.
@@ -143,11 +143,10 @@ template <class Sweep, class Data>
         Sweep& all = sweep.gathered();
         if constexpr (requires { &Sweep::push; })
             for_each_body(d.walls, g, [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
-                Slices<V3<Real>> force;
-                at_walls(d.walls, part, [&](int slice, std::int32_t j, const Met& ij) {
-                    sweep[slice].meet_wall(j, ij, force[slice]);
-                });
-                const V3<Real> a = all.push(force.gathered());
+                Slices<typename Sweep::OfBody> by;
+                at_walls(d.walls, part,
+                         [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet_wall(j, ij, by[slice]); });
+                const V3<Real> a = all.push(by.gathered());
                 if (slot < 0) return;
                 const WallLoad load = load_of(d.water, own, a, body);
                 own.once([&] { d.wall_load[slot] = load; });

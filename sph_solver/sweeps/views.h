@@ -73,6 +73,7 @@ struct SecondSweepData {
     WaterView water{};
     WallView walls{};
     const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
+    float since_lists = 0;                   ///< age of the lists [s]
     ShiftSupportRecord* shift = nullptr;     ///< turned along the free surface
     RateRecord* rate = nullptr;              ///< gets the acceleration, and as drho what is not compression
     WallLoad* wall_load =

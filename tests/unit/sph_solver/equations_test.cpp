@@ -118,16 +118,27 @@ TEST(WaterTouch, OnlyCompressionWaitsForTheVoid) {
     EXPECT_EQ((WaterTouch{.a = 0.1f}.compression(5.0f, 0.7f, 2.0f)), 5) << "a plane surface";
 }
 
-// What a wall does to water beyond its edge: no push along its way into the open, all else as it was.
+// What a wall does to water at its edge: no push along its way into the open, all else as it was.
 TEST(EdgeRelease, TakesThePushAlongTheWayAndNothingElse) {
-    const auto released = [](V3<float> a, V3<float> e, float s) {
-        EdgeRelease<float>{e, s}.apply(a);
+    const auto released = [](V3<float> a, V3<float> w, float s) {
+        EdgeRelease<float>{w, s / std::max(dot(w, w), 1.0f), 0}.apply(a, 5);
         return std::array{a.x, a.y, a.z};
     };
-    EXPECT_EQ(released({3, 0, 4}, {1, 0, 0}, 1), (std::array{0.0f, 0.0f, 4.0f}));
-    EXPECT_EQ(released({3, 0, 4}, {1, 0, 0}, 0.5f), (std::array{1.5f, 0.0f, 4.0f}));
-    EXPECT_EQ(released({-3, 0, 4}, {1, 0, 0}, 1), (std::array{-3.0f, 0.0f, 4.0f})) << "what comes nearer is stopped";
+    EXPECT_EQ(released({3, 0, 4}, {2, 0, 0}, 1), (std::array{0.0f, 0.0f, 4.0f}));
+    EXPECT_EQ(released({3, 0, 4}, {2, 0, 0}, 0.5f), (std::array{1.5f, 0.0f, 4.0f}));
+    EXPECT_EQ(released({-3, 0, 4}, {2, 0, 0}, 1), (std::array{-3.0f, 0.0f, 4.0f})) << "what comes nearer is stopped";
     EXPECT_EQ(released({3, 0, 4}, {0, 0, 0}, 1), (std::array{3.0f, 0.0f, 4.0f})) << "no edge";
+    // before the edge only what a uniform pressure gives: b . w = 4 of a . w = 6
+    const auto before = [](float uniform) {
+        V3<float> a{3, 0, 4};
+        EdgeRelease<float>{{2, 0, 0}, 0, 0.25f}.apply(a, uniform);
+        return std::array{a.x, a.y, a.z};
+    };
+    EXPECT_EQ(before(4), (std::array{1.0f, 0.0f, 4.0f}));
+    EXPECT_EQ(before(-4), (std::array{3.0f, 0.0f, 4.0f})) << "the edge is behind";
+    EXPECT_EQ(void_beyond(1.01f), 0) << "water all round the edge";
+    EXPECT_NEAR(void_beyond(0.99f), 0.5f, 1e-4);
+    EXPECT_EQ(void_beyond(0.9f), 1);
     EXPECT_EQ(released_share(0, 1000, 64), 1);
     EXPECT_EQ(released_share(16000, 1000, 64), 0.5f);
     EXPECT_EQ(released_share(40000, 1000, 64), 0) << "deep in the water";

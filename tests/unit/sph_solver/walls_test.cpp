@@ -7,6 +7,7 @@
 #include "meshes/mass_properties.h"
 #include "sph_solver/bodies/dummies.h"
 #include "sph_solver/bodies/samples.h"
+#include "sph_solver/bodies/slip_normal.h"
 
 namespace tw {
 namespace walls_test {
@@ -50,6 +51,29 @@ TEST(SurfaceSamples, AddUpToTheAreaVectorsOfTheSurface) {
     Vec3 moment;
     EXPECT_NEAR(samples.pressure_force(Vec3::Zero(), moment).z(), 9810 * mass_properties(sphere).volume,
                 0.002 * 9810 * mass_properties(sphere).volume);
+}
+
+TEST(TimeToEdge, IsTheWayToWhereASharpEdgeIsLeftOverTheSpeed) {
+    const SurfaceQuery box(box_surface({Vec3(-1, -1, 0), Vec3(0, 1, 1)}));
+    const auto time = [](const SurfaceQuery& query, const Vec3& x, const Vec3& u, double reach) {
+        const SurfaceQuery::Nearest found = query.nearest(x);
+        EXPECT_TRUE(found.on_face()) << x.transpose();
+        return time_to_edge(query, found, x, u, reach);
+    };
+    // under the bottom, 0.1 m before the edge at x = 0; what the velocity has towards the face is no way along it
+    for (const Vec3& u : {Vec3(8, 0, 0), Vec3(8, 0, 1)}) {
+        const auto found = time(box, Vec3(-0.1, 0.2, -0.05), u, 0.3);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(*found, 0.1 / 8, 0.3 / 64 / 8);
+    }
+    EXPECT_FALSE(time(box, Vec3(-0.5, 0.2, -0.05), Vec3(8, 0, 0), 0.3)) << "too far";
+    EXPECT_FALSE(time(box, Vec3(-0.1, 0.2, -0.05), Vec3(-8, 0, 0), 0.3)) << "the other way";
+    EXPECT_FALSE(time(box, Vec3(-0.1, 0.2, -0.05), Vec3(0, 0, 0), 0.3));
+    // the facets of a round body end in edges that are none
+    const SurfaceQuery sphere(make_hull("sphere", {}));
+    Vec3 beside = sphere.nearest(Vec3(0.3, 0.2, -5)).point;
+    beside += 0.01 * sphere.nearest(beside).normal;
+    if (sphere.nearest(beside).on_face()) { EXPECT_FALSE(time(sphere, beside, Vec3(1, 1, 0), 0.3)); }
 }
 
 }  // namespace walls_test
