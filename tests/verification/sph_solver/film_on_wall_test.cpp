@@ -65,7 +65,7 @@ Film turn(double delta_over_dp) {
 
 TEST(FilmOnWall, ItsMomentumIsTurnedHoweverThinItIs) {
     std::printf("delta/dp | force along the inflow, against the outflow, over rho U^2 delta\n");
-    for (const double delta_over_dp : {1.0, 2.0, 4.0, 8.0}) {
+    for (const double delta_over_dp : {1.0, 2.0, 4.0}) {
         const Film film = turn(delta_over_dp);
         std::printf("   %4g  | %.4f  %.4f\n", delta_over_dp, film.force.x(), -film.force.z());
         EXPECT_NEAR(film.force.x(), 1, 0.03) << delta_over_dp;

@@ -26,8 +26,8 @@ ramp = "0.15 s"
 near_hull = "0.1 m"
 [domain]
 x = ["-3 m", "4.5 m"]
-y = ["-2 m", "2 m"]
-z = ["-1.6 m", "2 m"]
+y = ["-1.4 m", "1.4 m"]
+z = ["-1.2 m", "2 m"]
 [run]
 duration = "0.5 s"
 [sampling]

