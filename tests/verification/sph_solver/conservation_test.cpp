@@ -441,7 +441,7 @@ TEST(EnergyBudget, OfAnEllipticDropCloses) {
 
 TEST(EnergyBudget, OfACollapsingColumnClosesAndEulersPartFallsWithTheTimeStep) {
     const auto account = [](Scheme scheme, double shifting, double cfl, const char* name) {
-        Simulation simulation = column_of(scheme, 1.0 / 40, shifting, cfl);
+        Simulation simulation = column_of(scheme, 1.0 / 32, shifting, cfl);
         const Account a = account_of(simulation, 1, name);
         expect_closed(a, scheme);
         return a;
