@@ -63,7 +63,7 @@ TEST(TyreStatic, BlownUpOfOneSectionIsInBalanceAllRound) {
 TEST(TyreStatic, EightHundredNewtonsPressTheCalibratedTyreTenMillimetres) {
     const Tyre t;
     std::vector<double> deflections;
-    for (int mm = 2; mm <= 10; mm += 2) deflections.push_back(1e-3 * mm);
+    for (const int mm : {4, 7, 10}) deflections.push_back(1e-3 * mm);
     const std::vector<Pressed> rows = press(t, calibrated(), 1.38e5, 1e10, deflections);
     for (const Pressed& row : rows)
         std::printf("tyre pressed %.0f mm: %.1f N, contact %.0f mm long\n", 1e3 * row.deflection, row.load,
