@@ -7,7 +7,8 @@
 #   tools/build_openfoam_walls.sh FOLDER            -> FOLDER/walls/openfoam.org-12/libventilatedWall.so
 #                                                      FOLDER/walls/openfoam.org-12/libforcingZones.so
 #
-# FOLDER is .openfoam beside twinwake's sources or ~/.local/share/twinwake/openfoam; there twinwake finds it.
+# FOLDER is .openfoam beside twinwake's sources, ~/.local/share/twinwake/openfoam or /usr/local/lib/twinwake/openfoam;
+# there twinwake finds it. `twinwake setup-openfoam` calls this script with the right one.
 # A minute. `twinwake doctor` says whether walls let water go and zones absorb waves: it runs a flow with an exact answer
 # between such walls and through such a zone, and leaves a library out that does not load or spoils the answer. Without
 # the first, walls hold water under tension; without the second, streams that need zones are refused.
