@@ -168,7 +168,7 @@ struct Sampling {
     std::vector<PressureProbe> pressure;
     std::vector<HeightProbe> height;
     std::vector<double> cuts_x, cuts_y;  ///< planes in which the free surface is reported [m]
-    double snapshot_interval = 0;        ///< ParaView files [s]; 0: none
+    double snapshot_interval = 0;        ///< ParaView files [s]; 0: of the last moment alone, below 0: none
 };
 
 struct Run {

@@ -15,7 +15,7 @@ struct RunRequest {
     SceneOverrides overrides = {};
     std::string method = {};  ///< a name, or every_method; empty: the scene's
     int threads = 0;          ///< 0: the scene's
-    bool snapshots = true;
+    bool snapshots = true;    ///< false: not even of the last moment
     int ranks = 1;           ///< 0: the scene's
     bool elsewhere = false;  ///< made on other machines, of whose memory nothing is known here
 };

@@ -145,7 +145,7 @@ Rows sampling_keys() {
                     "splash."},
         {.name = "snapshots", .unit = "s", .range = not_negative,
          .slot = slot(&Scene::sampling, &Sampling::snapshot_interval),
-         .meaning = "Time between ParaView files; 0: none are written."},
+         .meaning = "Time between ParaView files; 0: the last moment alone."},
         {.name = "raster_spacing", .unit = "m", .range = positive, .hashed = Hashed::scene,
          .fallback = "2 near_hull; near_hull in two dimensions",
          .meaning = "Edge of the voxels in which both methods count their water, for splash heights."},
