@@ -275,6 +275,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.stream = scene.motion.kind == Motion::Kind::stream;
     const ForcingZones zones = forcing_zones(scene);
     plan.zones = {Vec3(zones.speed, 0, 0), zones.zones};
+    if (scene.wave) plan.zones.wave = scene.wave->sum;
     plan.viscous = scene.effect_on("viscosity");
     plan.no_slip = scene.effect_on("no_slip");
     plan.turbulent = scene.effect_on("turbulence");

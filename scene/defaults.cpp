@@ -127,6 +127,7 @@ double time_scale(const Scene& scene) {
         const double length = scene.hull ? scene.hull->length : scene.domain.as_asked.size().x();
         return length / scene.motion.speed;
     }
+    if (scene.wave) return scene.wave->encounter_period();
     return std::sqrt(water_height(scene) / scene.water.gravity);
 }
 
@@ -165,6 +166,7 @@ void fill_times(Scene& scene) {
     if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
         scene.sampling.mean_from = stream ? start_of(scene) + settling(scene) : 5 * T;
+    if (scene.sampling.mean_from == 0 && scene.wave) scene.sampling.mean_from = 3 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 

@@ -147,6 +147,16 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     if (scene.effect_on("surface_tension"))
         record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
     record.numbers["size_scale"] = scene.resolution.scale;  // of --scale or --budget: how many times the scene's sizes
+    if (scene.wave) {
+        const RegularWave& wave = *scene.wave;
+        record.numbers["wave_height"] = wave.height;
+        record.numbers["wave_length"] = wave.length;
+        record.numbers["wave_period"] = wave.encounter_period();
+        record.numbers["wave_crest"] = wave.crest;
+        record.numbers["wave_trough"] = wave.trough;
+        for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
+        record.numbers["wave_direction"] = wave.sum.direction;
+    }
     if (method == "sph") {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;

@@ -8,6 +8,7 @@
 #include "meshes/mass_properties.h"
 #include "meshes/section.h"
 #include "scene/box/tank_walls.h"
+#include "scene/box/tank_wave.h"
 #include "scene/new_record.h"
 #include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
@@ -151,6 +152,20 @@ void take_rest_pressure(const Scene& scene, SimulationSetup& s) {
     for (const MovingBody& b : scene.bodies) s.submerged.push_back(submerged(b.surface, s.dimensions == 2));
 }
 
+/// Moves the water to where the wave has it, with its velocity and pressure.
+void begin_with_wave(const Scene& scene, std::vector<Fluid>& fluids) {
+    const TankWave wave(scene);
+    for (Fluid& fluid : fluids) {
+        fluid.velocity.resize(fluid.places.size());
+        for (std::size_t i = 0; i < fluid.places.size(); ++i) {
+            Vec3& at = fluid.places[i];
+            at = wave.moved(at);
+            fluid.velocity[i] = wave.velocity(at.x(), at.z());
+            fluid.depth[i] = wave.pressure_head(at.x(), at.z());
+        }
+    }
+}
+
 }  // namespace
 
 SphSetup sph_setup(const Scene& scene, int threads) {
@@ -257,6 +272,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     setup.fluid = fill_levels(s, blocks);
     fit_to_solids(s, blocks, setup.fluid);
     setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
+    if (scene.wave) begin_with_wave(scene, setup.fluid);
     if (scene.effect_on("air")) {
         AirOptions air;
         air.density = scene.water.air_density;

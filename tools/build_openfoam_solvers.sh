@@ -39,7 +39,9 @@ package=${package#* }
 stamp="openfoam $package, __restrict__ off"
 
 library_stamp() {  # of the source folder $1
-    echo "$stamp, source $(cat "$sources/$1"/*.[CH] | sha256sum | cut -c1-16)"
+    local also=()
+    [ "$1" != forcing_zones ] || also=("$sources/../waves/wave_sum.h")
+    echo "$stamp, source $(cat "$sources/$1"/*.[CH] "${also[@]}" | sha256sum | cut -c1-16)"
 }
 
 missing_solvers() {  # of the wanted ones: not here, not made from the installed package, or not able to start
@@ -127,7 +129,7 @@ for name in $(missing_libraries); do
     g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DOPENFOAM=1912 -DWM_DP \
         -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
         -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
-        -o "$work/build/${libraries_of[$name]}" "$sources/$name/$name.C" >>"$log" 2>&1 ||
+        -I"$sources/../waves" -o "$work/build/${libraries_of[$name]}" "$sources/$name/$name.C" >>"$log" 2>&1 ||
         die "$sources/$name/$name.C did not build, see $log; interFoam runs without it, and \`twinwake doctor\` says what it then cannot do"
     mv "$work/build/${libraries_of[$name]}" "$work/lib/${libraries_of[$name]}"
     library_stamp "$name" >"$work/lib/$name.stamp"

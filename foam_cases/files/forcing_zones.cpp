@@ -1,6 +1,18 @@
 #include "foam_cases/files/case_files.h"
 
 namespace tw {
+namespace {
+
+/// As forcing_zones.C reads it.
+Dictionary numbers_of(const WaveSum& wave) {
+    List U, eta;
+    for (int j = 0; j < wave.terms; ++j) U.push_back(wave.U[j]), eta.push_back(wave.eta[j]);
+    return {{"k", wave.k},         {"depth", wave.depth},     {"direction", wave.direction}, {"speed", wave.speed},
+            {"phase", wave.phase}, {"current", wave.current}, {"crest", wave.crest},         {"U", U},
+            {"eta", eta}};
+}
+
+}  // namespace
 
 std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source) {
     Dictionary sources;
@@ -11,11 +23,14 @@ std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source)
 void add_zones(const ZoneSource& source, Dictionary& sources) {
     if (source.zones.empty()) return;
     List zones;
-    for (const ForcingZone& zone : source.zones)
-        zones.push_back(
-            Dictionary{{"axis", zone.axis}, {"begin", zone.begin}, {"end", zone.end}, {"strength", zone.gamma}});
-    sources.add("forcingZones",
-                Dictionary{{"type", Word("forcingZones")}, {"velocity", source.velocity}, {"zones", zones}});
+    for (const ForcingZone& zone : source.zones) {
+        Dictionary d{{"axis", zone.axis}, {"begin", zone.begin}, {"end", zone.end}, {"strength", zone.gamma}};
+        if (zone.makes_wave) d.add("makesWave", true);
+        zones.push_back(d);
+    }
+    Dictionary all{{"type", Word("forcingZones")}, {"velocity", source.velocity}, {"zones", zones}};
+    if (source.wave) all.add("wave", numbers_of(*source.wave));
+    sources.add("forcingZones", all);
 }
 
 std::vector<CaseFile> forcing_zones_files(const CasePlan& plan) {

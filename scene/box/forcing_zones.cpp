@@ -9,6 +9,7 @@
 
 #include "scene/box/box_walls.h"
 #include "scene/water/water_blocks.h"
+#include "waves/dispersion.h"
 
 namespace tw {
 namespace {
@@ -85,18 +86,6 @@ ForcingZones zones_of_stream(const Scene& scene) {
     return plan;
 }
 
-/// k of omega^2 = g k tanh(k h) by Newton's steps from above: the function is convex there.
-double wave_number(double omega, double gravity, double depth) {
-    const double k0 = omega * omega / gravity;
-    double k = std::max(k0, omega / std::sqrt(gravity * depth));
-    for (int step = 0; step < 50; ++step) {
-        const double t = std::tanh(k * depth), f = k * t - k0, slope = t + k * depth * (1 - t * t);
-        k -= f / slope;
-        if (std::abs(f) < 1e-12 * k0) break;
-    }
-    return k;
-}
-
 /// Of the bodies that oscillate as prescribed the longest period [s]; 0: none does.
 double longest_period(const Scene& scene) {
     double longest = 0;
@@ -117,6 +106,25 @@ double clear_of_bodies(const Scene& scene, int axis, bool high) {
                                      : at.min[axis] - swing - scene.domain.box.min[axis]);
     }
     return std::max(0.0, clear);
+}
+
+/// Of a tank with a wave: the end that makes it, and the one that absorbs it.
+ForcingZones zones_of_wave(const Scene& scene) {
+    const RegularWave& wave = *scene.wave;
+    ForcingZones plan;
+    plan.wave_length = wave.length;
+    plan.frequency = wave.encounter_frequency();
+    plan.why = "one wave length each: the first makes the wave, the second absorbs it";
+    const double gamma = 1.5 * plan.frequency / std::sqrt(std::tanh(wave.k() * wave.depth));
+    const Box& box = scene.domain.box;
+    const bool from_high = wave.sum.direction < 0;
+    for (const bool makes : {true, false}) {
+        const bool high = makes == from_high;
+        const double end = (high ? box.max : box.min).x();
+        plan.zones.push_back(
+            {0, high, high ? end - wave.length : end + wave.length, end, makes ? 2 * gamma : gamma, makes});
+    }
+    return plan;
 }
 
 ForcingZones zones_of_tank(const Scene& scene) {
@@ -184,6 +192,7 @@ ZoneReach zone_reach(const Scene& scene, double gravity) {
 
 ForcingZones forcing_zones(const Scene& scene) {
     if (!scene.effect_on("forcing_zones")) return {};
+    if (scene.wave) return zones_of_wave(scene);
     return scene.motion.kind == Motion::Kind::stream ? zones_of_stream(scene) : zones_of_tank(scene);
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 std::string reason_of(const EffectQuestion& q, bool by_default) {
     const Scene& scene = q.scene;
+    if (scene.wave) return "the wave is made in a zone at one end of the tank and absorbed in one at the other";
     if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
     if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
     if (by_default) return "waves can stand and travel upstream in this stream: its ends would reflect them";
@@ -19,7 +20,7 @@ std::string reason_of(const EffectQuestion& q, bool by_default) {
 }
 
 EffectChoice plan_forcing_zones(const EffectQuestion& q) {
-    const bool by_default = has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
+    const bool by_default = q.scene.wave || has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
     EffectChoice c = q.choice(by_default);
     c.reason = reason_of(q, by_default);
     c.influence = by_default
@@ -27,6 +28,7 @@ EffectChoice plan_forcing_zones(const EffectQuestion& q) {
                       : influence("below 1 %", "below 1 %", "waves near the sides");
     const Box &all = q.scene.domain.box, &open = q.scene.domain.undamped;
     c.cost = all.volume() / open.volume() - 1 + 0.01;
+    if (q.scene.wave) c.influence = influence("100 %", "100 %", "the wave itself");
     return c;
 }
 

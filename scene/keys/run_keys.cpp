@@ -1,4 +1,6 @@
 // Rows of the water, of how it is resolved and recorded, and of both methods.
+#include <numbers>
+
 #include "methods/methods.h"
 #include "scene/keys/key_rows.h"
 
@@ -56,6 +58,27 @@ Rows motion_keys() {
          .meaning = "Speed of the stream, along +x.", .hint = "for still water write kind = \"none\""},
         {.name = "ramp", .unit = "s", .range = not_negative, .hashed = Hashed::run, .fallback = "0.3 L/U",
          .meaning = "Time over which the particle method starts the stream."},
+    };
+}
+
+Rows wave_keys() {
+    return {
+        {.name = "height", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::height), .fallback = "required",
+         .meaning = "Height of the wave from trough to crest.", .later = true},
+        {.name = "length", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::length), .fallback = "from the period",
+         .meaning = "Distance from crest to crest; length or period is given.", .later = true},
+        {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::period), .fallback = "from the length",
+         .meaning = "Time between two crests at a place of the tank.", .later = true},
+        {.name = "direction", .unit = "rad", .range = {-std::numbers::pi, std::numbers::pi}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::direction), .fallback = "0 deg",
+         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x.", .later = true},
+        {.name = "theory", .kind = Kind::choice, .choices = {"auto", "linear", "stream_function"},
+         .hashed = Hashed::scene, .slot = slot(&Scene::wave_asked, &WaveOptions::theory),
+         .meaning = "Velocities and surface of the wave: linear where that changes neither crest nor speed by more than "
+                    "0.5 %, else Fenton's stream function.", .later = true},
     };
 }
 
