@@ -127,7 +127,11 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
     }
     if (scene.effect_on("forcing_zones") && scene.motion.kind == Motion::Kind::stream)
-        record.numbers["undamped_x_min"] = scene.domain.undamped.min.x();
+        for (Eigen::Index k = 0; k < 2; ++k) {
+            const std::string axis(1, "xy"[k]);
+            record.numbers["undamped_" + axis + "_min"] = scene.domain.undamped.min[k];
+            record.numbers["undamped_" + axis + "_max"] = scene.domain.undamped.max[k];
+        }
     const auto add_filter = [&](const std::string& table, const std::string& name, double filter) {
         if (filter > 0) record.numbers[peak_filter(table, name)] = filter;
     };
