@@ -19,6 +19,7 @@
 #include "scene/box/tank_walls.h"
 #include "scene/defaults.h"
 #include "scene/mesh/mesh_cells.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
 namespace tw {
@@ -304,7 +305,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.background_cell = plan.finest_cell = background_cell(scene);
     plan_refinement(plan);
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();
-    plan.half_space = scene.water_blocks.empty();
+    plan.half_space = scene.water_blocks.empty() && !tailwater(scene);
 
     // Of blocks that touch the faces of the water that they are together: one within it takes a plane from its level.
     const std::vector<Box> water = plan.half_space ? std::vector<Box>{} : blocks_of_water(scene);

@@ -7,6 +7,7 @@
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
 #include "scene/water/struck_plate.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
 namespace tw {
@@ -133,7 +134,8 @@ double time_scale(const Scene& scene) {
 
 // Measured on the reference case: 0.15 s at L/U = 0.5 s.
 double default_ramp(const Scene& scene) {
-    return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0;
+    // Weight drives water under a gate or over a weir from the first instant, so it has its speeds at once.
+    return scene.motion.kind == Motion::Kind::stream && !tailwater(scene) ? 0.3 * time_scale(scene) : 0;
 }
 
 double start_up_period(const Scene& scene) {
@@ -200,10 +202,13 @@ double speed_under_quiet_surface(const Scene& scene) {
 double explained_speed(const Scene& scene) {
     if (scene.effect_on("dynamic_pressure")) return speed_under_quiet_surface(scene);
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
-    const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
+    const std::optional<Tailwater> tail = tailwater(scene);
+    const double height = std::max(water_height(scene), tail ? tail->depth : 0.0);
+    const double fall = std::sqrt(2 * scene.water.gravity * height);
     double body = 0;
     for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));
-    return std::max({scene.motion.speed, fall + fastest_wall(scene), body, capillary_speed(scene)});
+    return std::max(
+        {scene.motion.speed, tail ? tail->speed : 0.0, fall + fastest_wall(scene), body, capillary_speed(scene)});
 }
 
 double default_sound_speed(const Scene& scene) {

@@ -24,6 +24,7 @@
 #include "scene/solids/walls_met.h"
 #include "scene/water/afloat.h"
 #include "scene/water/struck_plate.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_at_start.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
@@ -280,15 +281,29 @@ std::string wave_text(const Scene& scene) {
     return out + "\n";
 }
 
-/// One line for each zone, and why they are so.
-std::string zones_text(const Scene& scene) {
+/// What the zones of a stream take of a run, beside the same scene without them.
+std::string cost_of_zones(const Scene& scene, const Prediction& p) {
+    if (scene.motion.kind != Motion::Kind::stream) return {};
+    Scene without = scene;
+    without.domain.box = scene.domain.undamped;
+    without.sph.zones = "fine";
+    std::erase_if(without.effects, [](const EffectChoice& e) { return e.name == "forcing_zones"; });
+    const Prediction less = predict_sizes(without);
+    return fmt::format(
+        "  {:13} they make {:.3g} particles of {:.3g} and {:.3g} cells of {:.3g} (+{:.0f} and +{:.0f} %)\n", "",
+        p.particles, less.particles, p.cells, less.cells, 100 * (p.particles / less.particles - 1),
+        100 * (p.cells / less.cells - 1));
+}
+
+/// One line for each zone, why they are so, and what they cost.
+std::string zones_text(const Scene& scene, const Prediction& p) {
     const ForcingZones plan = forcing_zones(scene);
     std::string out;
     for (const ForcingZone& z : plan.zones)
         out += fmt::format("  {:13} {:.4g} m wide, {} from {:.4g} m to {:.4g} m, gamma {:.3g} 1/s\n",
                            &z == plan.zones.data() ? "zones" : "", std::abs(z.end - z.begin), "xy"[z.axis], z.begin,
                            z.end, z.gamma);
-    if (!plan.zones.empty()) out += fmt::format("  {:13} {}\n", "", plan.why);
+    if (!plan.zones.empty()) out += fmt::format("  {:13} {}\n", "", plan.why) + cost_of_zones(scene, p);
     return out;
 }
 
@@ -318,7 +333,10 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     if (scene.motion.kind == Motion::Kind::stream)
         out += fmt::format("motion      stream of {:.4g} m/s along x, started over {:.3g} s\n", scene.motion.speed,
                            scene.motion.ramp);
-    else if (!scene.wave)
+    if (const auto tail = tailwater(scene))
+        out += fmt::format("            behind x = {:.4g} m it starts {:.4g} m deep with {:.4g} m/s\n", tail->begins,
+                           tail->depth, tail->speed);
+    if (scene.motion.kind != Motion::Kind::stream && !scene.wave)
         out += "motion      none: the water is at rest at the start\n";
     out += wave_text(scene);
     for (const Finding& f : doubtful_input(scene)) out += fmt::format("  warning   {}: {}\n", f.name, f.message);
@@ -327,7 +345,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),
                        place(d.box.max), d.dimensions, side(d.x_min), side(d.x_max), side(d.y_min), side(d.y_max),
                        side(d.z_min), side(d.z_max));
-    out += zones_text(scene);
+    out += zones_text(scene, p);
     if (const std::string walls = wall_warning(scene); !walls.empty()) out += "  warning   " + walls + "\n";
     out += fmt::format(
         "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",

@@ -14,6 +14,8 @@
 #include "scene/refined_places.h"
 #include "scene/solids/walls_met.h"
 #include "scene/water/quiet_layer.h"
+#include "scene/water/tailwater.h"
+#include "scene/water/water_blocks.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/effects/effects.h"
 #include "sph_solver/equations/packing.h"
@@ -205,6 +207,10 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list
         // builds
         stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, sizes_of_particles(scene) - 1);
+        if (const auto tail = tailwater(scene)) {
+            stream.behind_from = blocks_of_water(scene).back().min.x();
+            stream.behind_share = tail->speed / stream.speed;
+        }
         s.stream = stream;
     }
     if (scene.hull) {
@@ -259,13 +265,11 @@ SphSetup sph_setup(const Scene& scene, int threads) {
 
     std::vector<Box> blocks = scene.water_blocks;
     if (blocks.empty()) {
-        Box water = s.domain;
-        water.max.z() = std::min(0.0, water.max.z());
+        blocks = blocks_of_water(scene);
         if (s.stream) {
-            water.min.x() -= s.stream->buffer;
-            water.max.x() += s.stream->buffer;
+            blocks.front().min.x() -= s.stream->buffer;
+            blocks.back().max.x() += s.stream->buffer;
         }
-        blocks.push_back(water);
     }
     if (scene.motion.kind == Motion::Kind::none && !scene.tank_motion && !scene.hull && scene.bodies.empty())
         s.packing = Packing::k;

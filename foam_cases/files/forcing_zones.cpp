@@ -1,3 +1,5 @@
+#include <map>
+
 #include "foam_cases/files/case_files.h"
 
 namespace tw {
@@ -21,16 +23,18 @@ std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source)
 }
 
 void add_zones(const ZoneSource& source, Dictionary& sources) {
-    if (source.zones.empty()) return;
-    List zones;
+    // one source for each velocity to which zones draw: that of the stream, and of water of another depth behind
+    std::map<double, List> of_share;
     for (const ForcingZone& zone : source.zones) {
         Dictionary d{{"axis", zone.axis}, {"begin", zone.begin}, {"end", zone.end}, {"strength", zone.gamma}};
         if (zone.makes_wave) d.add("makesWave", true);
-        zones.push_back(d);
+        of_share[zone.share].push_back(d);
     }
-    Dictionary all{{"type", Word("forcingZones")}, {"velocity", source.velocity}, {"zones", zones}};
-    if (source.wave) all.add("wave", numbers_of(*source.wave));
-    sources.add("forcingZones", all);
+    for (const auto& [share, zones] : of_share) {
+        Dictionary all{{"type", Word("forcingZones")}, {"velocity", Vec3(share * source.velocity)}, {"zones", zones}};
+        if (source.wave) all.add("wave", numbers_of(*source.wave));
+        sources.add(share == 1 ? "forcingZones" : "forcingZonesBehind", all);
+    }
 }
 
 std::vector<CaseFile> forcing_zones_files(const CasePlan& plan) {

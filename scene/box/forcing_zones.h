@@ -20,6 +20,7 @@ struct ForcingZone {
     double begin = 0, end = 0;  ///< along the axis [m]: where b rises from 0, and the face, where it is 1
     double gamma = 0;           ///< [1/s]
     bool makes_wave = false;    ///< u_ref is the scene's wave
+    double share = 1;           ///< u_ref over the stream's speed: of the water behind it may be another (tailwater.h)
 };
 struct ForcingZones {
     std::vector<ForcingZone> zones = {};
@@ -32,7 +33,7 @@ struct ForcingZones {
 /// linear waves in two dimensions (docs/decisions/082-zones-and-ends.md).
 ///
 /// In a stream they lie outside the box that was asked for (`Domain::undamped`) and are made for the wave that stands in
-/// it, of length lambda and frequency g/U in the water: gamma = g/U over lambda ahead, 1.5 lambda behind, and lambda/2
+/// it (at the outlet in the water behind, tailwater.h), of length lambda and frequency g/U in the water: gamma = g/U over lambda ahead, 1.5 lambda behind, and lambda/2
 /// beside a hull in three dimensions, unless [domain] sides = "walls". Widths follow lambda up to 1.5 lengths of a hull in
 /// three dimensions, or half of a channel, and are at least eight of the largest spacings; gamma is at most that of deep
 /// water's wave of that length.

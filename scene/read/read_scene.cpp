@@ -16,6 +16,7 @@
 #include "scene/solids/attitude.h"
 #include "scene/solids/vortex_shedding.h"
 #include "scene/water/quiet_layer.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
 namespace tw {
@@ -354,6 +355,7 @@ void settle_effects(Reading& r) {
     warn_of_slow_bodies(scene);
     check_gate(scene, s.numerics.at("sph"));
     check_tank_motion(scene, s);
+    check_tailwater(scene);
     if (const auto shedding = check_vortex_shedding(scene)) scene.hull->findings.push_back(*shedding);
 }
 
