@@ -57,7 +57,7 @@ private:
                                .wave = *o_.wave};
         for (std::size_t k = 0; k < o_.zones.size(); ++k) {
             const ForcingZone& z = o_.zones[k];
-            force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma};
+            force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma, 1};
             force.makes_wave[k] = z.makes_wave;
         }
         step.each(step.n, force);
