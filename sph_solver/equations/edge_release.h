@@ -26,11 +26,11 @@ namespace tw {
 /// nothing beyond the edge. Of a dry edge the void takes 0.07 of the support half a spacing before it, 0.03 a spacing.
 template <class Real>
 struct EdgeRelease {
-    V3<Real> w;        ///< velocity past the wall, along e; zero: no edge
-    Real past, ahead;  ///< s_i / w^2 beyond the edge, s_i v_i / w^2 before it; else zero
+    V3<Real> w;  ///< velocity past the wall, along e; zero: no edge
+    Real share;  ///< s_i / w^2 beyond the edge, -s_i v_i / w^2 before it, else zero
     /// `uniform`: b_i . w_i
     void apply(V3<Real>& a, const Real& uniform) const {
-        a -= (past * positive_part(dot(a, w)) + ahead * positive_part(uniform)) * w;
+        a -= (positive_part(share) * positive_part(dot(a, w)) + positive_part(-share) * positive_part(uniform)) * w;
     }
 };
 /// v_i.

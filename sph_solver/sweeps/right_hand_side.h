@@ -63,7 +63,7 @@ struct SecondSweep : SecondSums {
     void meet_at_surface(const Met& ij) { towards_surface += ij.V_gradW(); }  // those of them at the free surface
     void meet_wall(std::int32_t j, const Met& ij, OfBody& of) const {         // a dummy, body by body
         PressureGradient::add(ij, p_i + d.walls.p[j], of.force);
-        if (some_ahead) of.along -= ij.FV * dot(ij.r_ji, edge_release.w);
+        of.along -= ij.FV * dot(ij.r_ji, edge_release.w);
     }
     V3<Real> push(const OfBody& of) {  // by a body, which gets the opposite
         V3<Real> a = inv_rho * of.force;

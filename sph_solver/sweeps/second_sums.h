@@ -34,7 +34,6 @@ struct SecondSums {
     Real diffusion{};
     V3<Real> water{}, towards_surface{}, a_wall{};
     EdgeRelease<Real> edge_release{};
-    bool some_ahead = false;  ///< of an edge
 
     SecondSums(const SecondSweepData& data, const Own& i)
         : d(data),
@@ -70,10 +69,7 @@ struct SecondSums {
             if (past && (d.water.surface[own / 32] >> (own % 32) & 1) == 0) return;
             const float share = released_share(d.water.stress[own].p, d.water.rho0, speed2) / speed2;
             edge_release.w.x[l] = way.u, edge_release.w.y[l] = way.v, edge_release.w.z[l] = way.w;
-            if (past)
-                edge_release.past[l] = share;
-            else
-                edge_release.ahead[l] = share * void_beyond(d.shift[own].support), some_ahead = true;
+            edge_release.share[l] = past ? share : -share * void_beyond(d.shift[own].support);
         });
     }
 

@@ -121,7 +121,7 @@ TEST(WaterTouch, OnlyCompressionWaitsForTheVoid) {
 // What a wall does to water at its edge: no push along its way into the open, all else as it was.
 TEST(EdgeRelease, TakesThePushAlongTheWayAndNothingElse) {
     const auto released = [](V3<float> a, V3<float> w, float s) {
-        EdgeRelease<float>{w, s / std::max(dot(w, w), 1.0f), 0}.apply(a, 5);
+        EdgeRelease<float>{w, s / std::max(dot(w, w), 1.0f)}.apply(a, 5);
         return std::array{a.x, a.y, a.z};
     };
     EXPECT_EQ(released({3, 0, 4}, {2, 0, 0}, 1), (std::array{0.0f, 0.0f, 4.0f}));
@@ -131,7 +131,7 @@ TEST(EdgeRelease, TakesThePushAlongTheWayAndNothingElse) {
     // before the edge only what a uniform pressure gives: b . w = 4 of a . w = 6
     const auto before = [](float uniform) {
         V3<float> a{3, 0, 4};
-        EdgeRelease<float>{{2, 0, 0}, 0, 0.25f}.apply(a, uniform);
+        EdgeRelease<float>{{2, 0, 0}, -0.25f}.apply(a, uniform);
         return std::array{a.x, a.y, a.z};
     };
     EXPECT_EQ(before(4), (std::array{1.0f, 0.0f, 4.0f}));
