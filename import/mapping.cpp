@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/read_file.h"
 #include "base/errors.h"
+#include "base/read_file.h"
 #include "meshes/axis_turn.h"
 #include "methods/methods.h"
 #include "text/section.h"
@@ -150,6 +150,23 @@ std::optional<WaterSource> read_water_source(Section& root, const TextValue& doc
     return water;
 }
 
+/// How a logger writes its table; what is left open is found in the text.
+LoggerForm read_form(Section& root) {
+    LoggerForm form;
+    form.separator = root.choice("separator", form.separator, {"auto", "tab", "semicolon", "comma", "blank"});
+    form.decimal = root.choice("decimal", form.decimal, {"auto", "point", "comma"});
+    form.clock = root.choice("clock", form.clock, {"auto", "none", "h:m:s", "m:s"});
+    if (root.has("units_row")) form.units_row = root.flag("units_row", false);
+    root.know("units_row");
+    if (const std::optional<double> line = root.number("header_line", "-", {0, 1e6})) {
+        if (*line != std::floor(*line)) root.fail("header_line", "expected a whole number; 0: there is no such line");
+        form.header_line = static_cast<int>(*line);
+    }
+    for (const char* key : {"separator", "decimal", "clock", "units_row", "header_line"})
+        if (root.has(key)) form.place[key] = root.where(key);
+    return form;
+}
+
 /// Loads turn, they are not mirrored.
 Eigen::Matrix3d read_axes(Section& root) {
     const std::string axes = root.text("axes", "xyz");
@@ -194,6 +211,7 @@ Mapping read_mapping(const std::filesystem::path& file) {
         root.know("friction");
         read_columns(root, document, m);
     }
+    if (m.kind == "csv") m.form = read_form(root);
     root.finish();
     if (m.kind == "csv" && !m.time)
         root.fail("time", "missing; expected e.g. time = \"t\", or a section [time] with column and unit");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "import/logger_csv.h"
 
 namespace tw {
 
@@ -45,6 +46,7 @@ struct Mapping {
     std::vector<ColumnSource> columns;
     std::optional<WaterSource> water;
     std::optional<double> near_hull;  ///< the source's size at the hull [m]
+    LoggerForm form;                  ///< csv: how its table is written
 
     std::map<std::string, std::string> place;  ///< of every key of the top level, for messages
 };

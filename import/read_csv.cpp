@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "import/logger_csv.h"
 #include "import/readers.h"
 #include "text/csv_columns.h"
 #include "text/did_you_mean.h"
@@ -44,21 +45,28 @@ std::string unit_of_header(const std::string& header) {
     return {};
 }
 
-double factor_of(const ColumnSource& c, const std::string& header, const CsvColumns& csv) {
-    const std::string unit = c.unit.empty() ? unit_of_header(header) : c.unit;
+double factor_of(const ColumnSource& c, const std::string& header, const CsvColumns& csv, const std::string& below) {
+    const std::string unit = !c.unit.empty() ? c.unit : !below.empty() ? below : unit_of_header(header);
     const std::string help = fmt::format("expected unit = \"{}\" or another of: {}", c.si_unit, units_like(c.si_unit));
     if (unit.empty())
         throw InputError(fmt::format("{}: neither the mapping nor the header {} of {} gives a unit; {}", c.place,
                                      shown_cell(header), csv.file(), help));
-    const Unit parsed = parse_unit(unit);
+    const Unit parsed = [&] {
+        try {
+            return parse_unit(unit);
+        } catch (const UnitError& e) {
+            throw InputError(fmt::format("{}: column {} of {}: its unit {}; {}", c.place, shown_cell(header),
+                                         csv.file(), e.what(), help));
+        }
+    }();
     if (parsed.dimension != parse_unit(c.si_unit).dimension)
         throw InputError(
             fmt::format("{}: column {} of {} is in {}; {}", c.place, shown_cell(header), csv.file(), unit, help));
     return c.scale * parsed.factor;
 }
 
-std::vector<double> times_of(const ColumnSource& c, const CsvColumns& csv) {
-    std::vector<double> time = series_of(c, csv);
+std::vector<double> times_of(const ColumnSource& c, const CsvColumns& csv, const std::vector<std::string>& units) {
+    std::vector<double> time = series_of(c, csv, units);
     for (std::size_t i = 0; i < time.size(); ++i) {
         if (!std::isfinite(time[i]))
             throw InputError(
@@ -72,21 +80,31 @@ std::vector<double> times_of(const ColumnSource& c, const CsvColumns& csv) {
 
 }  // namespace
 
-std::vector<double> series_of(const ColumnSource& c, const CsvColumns& csv) {
+std::vector<double> series_of(const ColumnSource& c, const CsvColumns& csv, const std::vector<std::string>& units) {
     const std::size_t column = column_of(c, csv);
     std::vector<double> series = csv.values(column);
-    const double factor = factor_of(c, csv.headers()[column], csv);
+    const double factor = factor_of(c, csv.headers()[column], csv, column < units.size() ? units[column] : "");
     for (double& v : series) v = factor * v + c.offset;
     return series;
 }
 
 MomentPoint read_csv(const Mapping& mapping, RunRecord& record) {
-    const CsvColumns csv(read_text(mapping.source), mapping.source.string());
-    const std::vector<double> time = times_of(*mapping.time, csv);
+    const PlainCsv plain = plain_csv(read_text(mapping.source), mapping.source.string(), mapping.form);
+    const CsvColumns csv(plain.text, mapping.source.string());
+    std::vector<std::string> units = plain.units;
+    const std::size_t clock = column_of(*mapping.time, csv);
+    if (clock < plain.clock.size() && plain.clock[clock]) {  // seconds since the first row, whatever stands above them
+        if (!mapping.time->unit.empty() && mapping.time->unit != "s")
+            throw InputError(fmt::format("{}: the cells of {} are times of day, found unit {}; expected none, or s",
+                                         mapping.time->place, shown_cell(csv.headers()[clock]), mapping.time->unit));
+        units.resize(csv.headers().size());
+        units[clock] = "s";
+    }
+    const std::vector<double> time = times_of(*mapping.time, csv, units);
     for (const ColumnSource& c : mapping.columns) {
         Table& table = record.table(c.table);
         table.time = time;
-        table.column(c.name, c.si_unit).values = series_of(c, csv);
+        table.column(c.name, c.si_unit).values = series_of(c, csv, units);
     }
     return mapping.moment_point;
 }

@@ -20,8 +20,9 @@ using MomentPoint = std::optional<Vec3>;
 // Each reader fills tables as its source has them: SI units and scene axes, but not doubled, moments about the point it
 // returns.
 MomentPoint read_csv(const Mapping& mapping, RunRecord& record);
-/// One column in SI.
-std::vector<double> series_of(const ColumnSource& column, const CsvColumns& csv);
+/// One column in SI. `units`: of all columns, from a row of their own; they count where the mapping gives none.
+std::vector<double> series_of(const ColumnSource& column, const CsvColumns& csv,
+                              const std::vector<std::string>& units = {});
 /// CSV of DualSPHysics' ComputeForces: the columns that the mapping leaves open are found by their names.
 MomentPoint read_dualsphysics(Mapping mapping, RunRecord& record);
 /// The `forces` function object of any OpenFOAM case: postProcessing/<function object>/<start time>/.

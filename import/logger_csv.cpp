@@ -1,0 +1,341 @@
+#include "import/logger_csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "base/errors.h"
+#include "base/trimmed.h"
+#include "text/csv_columns.h"
+#include "text/units.h"
+
+namespace tw {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+struct Separator {
+    const char* name;
+    char sign;
+};
+constexpr std::array<Separator, 4> separators{{{"tab", '\t'}, {"semicolon", ';'}, {"comma", ','}, {"blank", ' '}}};
+
+/// Cells of a line; blanks separate in runs of any length, with tabs among them. Quotes hold separators.
+Cells split(std::string_view line, char separator) {
+    Cells cells(1);
+    bool quoted = false;
+    line = trimmed(line);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        const bool parts = separator == ' ' ? c == ' ' || c == '\t' : c == separator;
+        if (c == '"')
+            quoted = !quoted;
+        else if (parts && !quoted)
+            separator == ' ' && cells.back().empty() ? void() : void(cells.emplace_back());
+        else
+            cells.back() += c;
+    }
+    for (std::string& cell : cells) cell = trimmed(cell);
+    if (cells.size() > 1 && cells.back().empty()) cells.pop_back();  // a separator behind the last cell
+    return cells;
+}
+
+bool is_number(std::string_view cell, char point) {
+    std::string text(cell);
+    if (text.starts_with('+')) text.erase(0, 1);
+    if (point == ',' && text.find('.') != std::string::npos) return false;
+    std::ranges::replace(text, point, '.');
+    double v = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v);
+    return !text.empty() && error == std::errc() && end == text.data() + text.size();
+}
+
+/// "12:01:30.250", with a date before it or not: seconds of its day. "m:s": minutes and seconds.
+std::optional<double> seconds_of(std::string_view cell, std::size_t parts) {
+    if (const auto date = cell.find_last_of(" T"); date != std::string_view::npos) cell.remove_prefix(date + 1);
+    std::string text(cell);
+    std::ranges::replace(text, ',', '.');
+    double seconds = 0;
+    std::size_t found = 0;
+    for (const char *at = text.data(), *end = at + text.size(); at <= end; ++found) {
+        const char* colon = std::find(at, end, ':');
+        double v = 0;
+        const auto [stop, error] = std::from_chars(at, colon, v, std::chars_format::fixed);
+        const bool whole = std::find(at, colon, '.') == colon;
+        if (error != std::errc() || stop != colon || v < 0 || (found > 0 && v >= 60) || (colon != end && !whole))
+            return {};
+        seconds = 60 * seconds + v;
+        at = colon + 1;
+    }
+    return found == parts ? std::optional(seconds) : std::nullopt;
+}
+
+bool is_unit(std::string_view cell) {
+    if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
+    if (cell == "-" || cell == "Nm" || cell == "N-m") return true;
+    try {
+        return !cell.empty() && (parse_unit(std::string(cell)), true);
+    } catch (const UnitError&) { return false; }
+}
+
+struct Line {
+    std::string_view text;
+    bool blank = false;  ///< empty, or a comment
+};
+
+/// One way to read the text as a table: from the line with the names of its columns to the last row.
+struct Reading {
+    Separator separator{};
+    char point = '.';
+    std::size_t columns = 0, first = 0, last = 0;  ///< rows of numbers; lines from 0
+    std::optional<std::size_t> names, units;
+    bool comma_is_sure = false;  ///< of decimal commas: not what thousands would look like as well
+};
+
+class Finder {
+public:
+    Finder(const std::string& text, const std::string& file, const LoggerForm& form) : file_(file), form_(form) {
+        std::string_view rest = text;
+        if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+        while (!rest.empty()) {
+            const std::size_t end = rest.find('\n');
+            const std::string_view line = rest.substr(0, end), inner = trimmed(line);
+            lines_.push_back({line, inner.empty() || inner.starts_with('#')});
+            rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+        }
+        clock_parts_ = form.clock == "m:s" ? 2 : 3;
+    }
+
+    /// All that make sense, the one of most columns for each separator.
+    std::vector<Reading> readings() const {
+        std::vector<Reading> found;
+        for (const Separator& s : separators)
+            for (const char point : {'.', ','}) {
+                if (form_.separator != "auto" && form_.separator != s.name) continue;
+                if (form_.decimal != "auto" && (form_.decimal == "comma") != (point == ',')) continue;
+                if (auto reading = read(s, point)) found.push_back(*reading);
+            }
+        return found;
+    }
+
+    PlainCsv plain(const Reading& r) const {
+        PlainCsv out;
+        out.clock.assign(r.columns, false);
+        std::vector<std::optional<double>> day(r.columns), start(r.columns), before(r.columns);
+        std::string names;
+        for (std::size_t c = 0; c < r.columns; ++c) {
+            const Cells head = r.names ? split(lines_[*r.names].text, r.separator.sign) : Cells();
+            names += (c ? "," : "") + quoted(r.names ? head[c] : fmt::format("column {}", c + 1));
+        }
+        if (r.units)
+            for (std::string unit : split(lines_[*r.units].text, r.separator.sign)) {
+                if (unit.size() > 2 && (unit.front() == '[' || unit.front() == '('))
+                    unit = unit.substr(1, unit.size() - 2);
+                out.units.push_back(unit == "Nm" || unit == "N-m" ? "N m" : unit);
+            }
+        std::vector<double> days(r.columns, 0);
+        for (std::size_t k = 0; k < lines_.size(); ++k) {
+            if (k > 0) out.text += '\n';
+            if (r.names ? k == *r.names : k + 1 == r.first || (r.first == 0 && k == 0)) {
+                out.text += names;
+                if (!r.names && r.first == 0) out.text += '\n';  // there is no line for them
+                if (r.names || r.first > 0) continue;
+            }
+            if (k < r.first || lines_[k].blank) {
+                out.text += '#';
+                continue;
+            }
+            const Cells cells = split(lines_[k].text, r.separator.sign);
+            for (std::size_t c = 0; c < cells.size(); ++c) {
+                out.text += c ? "," : "";
+                const auto seconds = form_.clock == "none" ? std::nullopt : seconds_of(cells[c], clock_parts_);
+                if (seconds && c < r.columns) {  // past midnight the day's seconds begin anew
+                    if (!start[c]) start[c] = *seconds;
+                    if (before[c] && *seconds < *before[c] - 43200) days[c] += 86400;
+                    before[c] = *seconds, out.clock[c] = true;
+                    out.text += fmt::format("{:.9g}", *seconds + days[c] - *start[c]);
+                } else if (r.point == ',' && is_number(cells[c], ',')) {
+                    std::string number = cells[c];
+                    std::ranges::replace(number, ',', '.');
+                    out.text += number;
+                } else
+                    out.text += quoted(cells[c]);
+            }
+        }
+        return out;
+    }
+
+    /// Whether text/csv_columns.h reads the text in the same way as it stands.
+    bool is_plain(const Reading& r) const {
+        if (r.point == ',' || r.units || !r.names || above(*r.names) || above(r.first) != r.names) return false;
+        const std::string_view head = lines_[*r.names].text;
+        const char usual = head.find('\t') != std::string_view::npos  ? '\t'
+                           : head.find(';') != std::string_view::npos ? ';'
+                                                                      : ',';
+        return r.separator.sign == usual && !has_clock(r);
+    }
+    /// Above the names of the columns: a row of nothing but numbers, so that the names are none.
+    bool lost_a_row(const Reading& r) const {
+        for (auto k = r.names ? above(*r.names) : std::nullopt; k; k = above(*k)) {
+            const Cells cells = split(lines_[*k].text, r.separator.sign);
+            if (cells.size() == r.columns &&
+                std::ranges::all_of(cells, [&](const std::string& c) { return is_value(c, r.point); }))
+                return true;
+        }
+        return false;
+    }
+
+    [[noreturn]] void fail(const char* key, const std::string& what) const {
+        const auto place = form_.place.find(key);
+        throw InputError((place == form_.place.end() ? file_ : place->second) + ": " + what);
+    }
+
+private:
+    static std::string quoted(const std::string& cell) {
+        if (cell.find_first_of(",\"#") == std::string::npos) return cell;
+        std::string out = "\"";
+        for (const char c : cell) out += c == '"' ? "\"\"" : std::string(1, c);
+        return out + "\"";
+    }
+    bool is_value(const std::string& cell, char point) const {
+        return is_number(cell, point) || (form_.clock != "none" && seconds_of(cell, clock_parts_));
+    }
+    /// A row of the table: a number or a time, and no fewer of them than words.
+    bool is_row(const Cells& cells, std::size_t columns, char point) const {
+        const auto values = std::ranges::count_if(cells, [&](const std::string& c) { return is_value(c, point); });
+        const auto words =
+            std::ranges::count_if(cells, [&](const std::string& c) { return !c.empty() && !is_value(c, point); });
+        return cells.size() == columns && (values == 0 ? words == 0 : values >= words);
+    }
+    bool is_head(std::size_t k, const Reading& r) const {
+        const Cells cells = split(lines_[k].text, r.separator.sign);
+        return !lines_[k].blank && cells.size() == r.columns &&
+               std::ranges::none_of(cells, [&](const std::string& c) { return is_value(c, r.point); });
+    }
+    bool has_clock(const Reading& r) const {
+        const Cells cells = split(lines_[r.last].text, r.separator.sign);
+        return form_.clock != "none" && std::ranges::any_of(cells, [&](const std::string& c) {
+                   return seconds_of(c, clock_parts_).has_value();
+               });
+    }
+    /// The line above that is no comment; nothing at the top.
+    std::optional<std::size_t> above(std::size_t k) const {
+        while (k-- > 0)
+            if (!lines_[k].blank) return k;
+        return {};
+    }
+
+    std::optional<Reading> read(const Separator& separator, char point) const {
+        std::size_t end = lines_.size();
+        while (end > 0 && lines_[end - 1].blank) --end;
+        if (end == 0) return {};
+        Reading r;
+        r.separator = separator, r.point = point, r.last = end - 1;
+        r.columns = split(lines_[r.last].text, separator.sign).size();
+        if (r.columns < 2 || !is_row(split(lines_[r.last].text, separator.sign), r.columns, point)) return {};
+        r.first = r.last;
+        const std::size_t top = form_.header_line ? static_cast<std::size_t>(*form_.header_line) : 0;
+        for (auto k = above(r.last); k && *k >= top; k = above(*k)) {
+            if (!is_row(split(lines_[*k].text, separator.sign), r.columns, point)) break;
+            r.first = *k;
+        }
+        if (point == ',' && !has_decimal_commas(r)) return {};
+        find_names(r);
+        return r;
+    }
+
+    /// Whether a cell of the table has a decimal comma; sure where one cannot be a separator of thousands.
+    bool has_decimal_commas(Reading& r) const {
+        bool any = false;
+        for (std::size_t k = r.first; k <= r.last; ++k) {
+            if (lines_[k].blank) continue;
+            for (const std::string& cell : split(lines_[k].text, r.separator.sign)) {
+                const auto comma = cell.find(',');
+                if (comma == std::string::npos || !is_number(cell, ',')) continue;
+                any = true;
+                const auto before = cell.find_first_of("123456789");
+                const bool thousands = cell.size() == comma + 4 && before < comma && comma - before <= 3;
+                r.comma_is_sure = r.comma_is_sure || !thousands;
+            }
+        }
+        return any;
+    }
+
+    void find_names(Reading& r) const {
+        if (form_.header_line && *form_.header_line == 0) return;
+        auto k = above(r.first);
+        if (form_.header_line) {
+            const auto given = static_cast<std::size_t>(*form_.header_line) - 1;
+            if (given < lines_.size() && split(lines_[given].text, r.separator.sign).size() == r.columns)
+                r.names = given;
+            if (k && r.names && *k > *r.names && form_.units_row.value_or(is_units(*k, r))) r.units = k;
+            return;
+        }
+        if (!k || !is_head(*k, r)) return;
+        const auto higher = above(*k);
+        if (higher && is_head(*higher, r) && form_.units_row.value_or(is_units(*k, r)))
+            r.units = k, r.names = higher;
+        else
+            r.names = k;
+    }
+    bool is_units(std::size_t k, const Reading& r) const {
+        const Cells cells = split(lines_[k].text, r.separator.sign);
+        return cells.size() == r.columns &&
+               std::ranges::all_of(cells, [](const std::string& c) { return c.empty() || is_unit(c); });
+    }
+
+    const std::string& file_;
+    const LoggerForm& form_;
+    std::vector<Line> lines_;
+    std::size_t clock_parts_ = 3;
+};
+
+std::string as_text(const Reading& r) {
+    return fmt::format("{} columns separated by {}s with decimal {}s", r.columns, r.separator.name,
+                       r.point == ',' ? "comma" : "point");
+}
+
+}  // namespace
+
+PlainCsv plain_csv(const std::string& text, const std::string& file, const LoggerForm& form) {
+    const Finder finder(text, file, form);
+    std::vector<Reading> found = finder.readings();
+    if (form.header_line != 0) std::erase_if(found, [](const Reading& r) { return !r.names; });
+    // Blanks stand beside other separators, too; and commas that are numbers' are not read by a decimal point.
+    if (std::ranges::any_of(found, [](const Reading& r) { return r.separator.sign != ' '; }))
+        std::erase_if(found, [](const Reading& r) { return r.separator.sign == ' '; });
+    const auto same_cells = [](const Reading& a, const Reading& b) { return a.separator.sign == b.separator.sign; };
+    for (std::size_t k = 0; k + 1 < found.size(); ++k)
+        if (same_cells(found[k], found[k + 1]) && found[k + 1].first <= found[k].first && found[k + 1].comma_is_sure)
+            found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+    if (form.place.empty() && std::ranges::any_of(found, [&](const Reading& r) { return finder.lost_a_row(r); }))
+        return {text, {}, {}};  // a row in its middle is none: whoever reads it says which
+    if (found.empty()) {
+        if (form.place.empty()) return {text, {}, {}};
+        finder.fail(
+            form.place.begin()->first.c_str(),
+            fmt::format("no table was found in {} that ends in rows of at least two columns and fits what is said "
+                        "of it here; expected other values of separator, decimal, header_line, units_row, clock",
+                        file));
+    }
+    if (found.size() > 1) {
+        const bool points = same_cells(found[0], found[1]);
+        finder.fail(
+            points ? "decimal" : "separator",
+            fmt::format("can be read as {} and as {}; expected {} in the mapping", as_text(found[0]), as_text(found[1]),
+                        points ? "decimal = \"comma\" or \"point\""
+                               : fmt::format("separator = \"{}\" or \"{}\"", found[0].separator.name,
+                                             found[1].separator.name)));
+    }
+    const Reading& r = found.front();
+    if (r.point == ',' && !r.comma_is_sure && form.decimal == "auto")
+        finder.fail("decimal",
+                    "its numbers, such as 1,234, may have a decimal comma or one of thousands; expected decimal "
+                    "= \"comma\" in the mapping, or a file without separators of thousands");
+    return finder.is_plain(r) ? PlainCsv{text, {}, {}} : finder.plain(r);
+}
+
+}  // namespace tw
