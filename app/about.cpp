@@ -50,9 +50,9 @@ const char* const about_openfoam =
     "  container          export TWINWAKE_OPENFOAM_PREFIX=\"apptainer exec of.sif openfoam2506\": words after which a\n"
     "                     program runs in OpenFOAM's environment; the run's folder has the same path there (--bind)\n"
     "  neither            Debian's package with the interFoam of twinwake setup-openfoam, then the usual places
-"
+    "
     "Separation at walls (ventilation) and forcing zones need libraries; twinwake setup-openfoam builds them for the
-"
+    "
     "release that is loaded.\n";
 
 const char* const about_setup_openfoam =

@@ -108,11 +108,11 @@ TEST(ForcingZonesInInterFoam, AreRefusedWithoutALibraryWithWhatToDo) {
     };
     OpenFoam mended = installation("openfoam.com", "v1912", "");
     mended.solver = "/own/bin/interFoam", mended.bin = "/usr/bin";
-    EXPECT_NE(refusal(mended).find("twinwake setup-openfoam builds it:"), std::string::npos)
-        << refusal(mended);
+    EXPECT_NE(refusal(mended).find("twinwake setup-openfoam builds it:"), std::string::npos) << refusal(mended);
     OpenFoam loaded = installation("openfoam.org", "13", "");
     loaded.solver = "/opt/openfoam13/bin/foamRun", loaded.bin = "/opt/openfoam13/bin";
-    EXPECT_NE(refusal(loaded).find("twinwake setup-openfoam builds it in the environment"), std::string::npos) << refusal(loaded);
+    EXPECT_NE(refusal(loaded).find("twinwake setup-openfoam builds it in the environment"), std::string::npos)
+        << refusal(loaded);
     loaded.version = "11";
     EXPECT_NE(refusal(loaded).find("openfoam.org from 12"), std::string::npos) << refusal(loaded);
     EXPECT_NE(refusal(loaded).find("forcing_zones = \"off\""), std::string::npos) << refusal(loaded);

@@ -193,7 +193,7 @@ TEST(WedgeEntry, ForceAndPressureAreThoseOfTheSimilaritySolution) {
         double force, cp_max;  ///< allowed errors
     };
     print_head();
-    for (const Case& c : {Case{{.deadrise_deg = 10, .fineness = 18}, 0.08, 0.6},  // found +5.5 %, -44 %
+    for (const Case& c : {Case{{.deadrise_deg = 10, .fineness = 18}, 0.08, 0.6},     // found +5.5 %, -44 %
                           Case{{.deadrise_deg = 30, .fineness = 26}, 0.07, 0.3},     // -2.7 %, -13 %
                           Case{{.deadrise_deg = 60, .fineness = 18}, 0.05, 0.4}}) {  // -0.7 %, -30 %
         const double deadrise = c.entry.deadrise_deg;
