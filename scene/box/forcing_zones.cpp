@@ -111,8 +111,12 @@ ForcingZones zones_of_stream(const Scene& scene) {
                          end = (high ? d.box.max : d.box.min)[axis];
             if (begin == end) continue;
             const bool leaves = axis == 0 && high;
-            plan.zones.push_back(
-                {axis, high, begin, end, leaves ? gamma(behind.speed) : plan.frequency, leaves ? behind.share : 1});
+            plan.zones.push_back({.axis = axis,
+                                  .high = high,
+                                  .begin = begin,
+                                  .end = end,
+                                  .gamma = leaves ? gamma(behind.speed) : plan.frequency,
+                                  .share = leaves ? behind.share : 1});
         }
     return plan;
 }
@@ -152,8 +156,12 @@ ForcingZones zones_of_wave(const Scene& scene) {
     for (const bool makes : {true, false}) {
         const bool high = makes == from_high;
         const double end = (high ? box.max : box.min).x();
-        plan.zones.push_back(
-            {0, high, high ? end - wave.length : end + wave.length, end, makes ? 2 * gamma : gamma, makes});
+        plan.zones.push_back({.axis = 0,
+                              .high = high,
+                              .begin = high ? end - wave.length : end + wave.length,
+                              .end = end,
+                              .gamma = makes ? 2 * gamma : gamma,
+                              .makes_wave = makes});
     }
     return plan;
 }

@@ -12,8 +12,8 @@ namespace tw {
 ///
 ///   du/dt += gamma b (u_ref - u),   b = s^2,   s from 0 at `begin` to 1 at `end`
 ///
-/// u_ref is the stream, with its ramp, or rest, or the scene's wave in the zone that makes it. Where zones overlap the largest gamma b counts. Relaxation of the
-/// velocity alone, after Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, arXiv:1705.06940.
+/// u_ref: the stream (with its ramp), rest, or in the zone that makes it the scene's wave; of zones the largest gamma b
+/// counts. Relaxation of velocity alone, after Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, arXiv:1705.06940.
 struct ForcingZone {
     int axis = 0;               ///< 0 x, 1 y
     bool high = false;          ///< at the face of larger coordinate
