@@ -7,5 +7,6 @@ extern const char* const about_uncertainty;
 extern const char* const about_import;
 extern const char* const about_ablate;
 extern const char* const about_openfoam;
+extern const char* const about_setup_openfoam;
 
 }  // namespace tw::app

@@ -342,6 +342,25 @@ void doctor_options(CLI::App& c, DoctorCommand& doctor) {
     c.add_option("--openfoam", doctor.openfoam, "folder of an OpenFOAM installation to examine first");
 }
 
+void setup_openfoam_options(CLI::App& c, SetupOpenfoamCommand& setup) {
+    c.add_option("solvers", setup.solvers, "solvers beside interFoam: interIsoFoam, potentialFoam")
+        ->check(CLI::IsMember({"interFoam", "interIsoFoam", "potentialFoam"}))
+        ->type_name("SOLVER");
+    CLI::Option* folder =
+        c.add_option("--folder", setup.folder, "build here instead; TWINWAKE_OPENFOAM_BIN=FOLDER/bin then names it")
+            ->type_name("FOLDER");
+    c.add_flag("--for-all-users", setup.for_all_users, "build in /usr/local/lib/twinwake/openfoam, as root")
+        ->excludes(folder);
+    c.add_option("--jobs", setup.jobs, "compilers at a time; 2 unless given")->check(CLI::Range(1, 4096));
+}
+
+void film_options(CLI::App& c, FilmCommand& film) {
+    c.add_option("run", film.run, "folder of a run, or of one method's")->required();
+    c.add_option("-o,--out", film.out, "file: .mp4 or .webm (need ffmpeg), or .gif; RUN/film.mp4 unless given");
+    c.add_option("--seconds", film.seconds, "how long the film lasts; 10 unless given")->check(CLI::Range(0.1, 600.0));
+    c.add_flag("--overwrite", film.overwrite, "replace a film that is there");
+}
+
 void stability_options(CLI::App& c, StabilityCommand& stability) {
     c.add_flag("--quick", stability.quick, "half as fine: about a minute instead of several");
     c.add_option("--out", stability.out, "folder for stability.html, .svg, .json and .txt (runs/stability)");

@@ -27,6 +27,8 @@ void hull_convert_options(CLI::App& c, HullCommand& hull);
 void hull_make_options(CLI::App& c, HullCommand& hull);
 void case_options(CLI::App& c, CaseCommand& foam_case);
 void doctor_options(CLI::App& c, DoctorCommand& doctor);
+void setup_openfoam_options(CLI::App& c, SetupOpenfoamCommand& setup);
+void film_options(CLI::App& c, FilmCommand& film);
 void stability_options(CLI::App& c, StabilityCommand& stability);
 void spray_options(CLI::App& c, SprayCommand& spray);
 void bench_options(CLI::App& c, BenchCommand& bench);

@@ -15,14 +15,15 @@
 #include "compare/metrics/forces.h"
 #include "compare/metrics/gauges.h"
 #include "compare/metrics/hull_motion.h"
+#include "compare/metrics/regular_wave.h"
 #include "compare/metrics/splash_quantities.h"
 #include "compare/metrics/tank_loads.h"
 #include "compare/metrics/walls.h"
 #include "compare/read/prepare.h"
-#include "record/record_numbers.h"
 #include "compare/reference/planing.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -241,6 +242,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_splash(comparison, options);
     add_elevation(comparison, options);
     add_probes(comparison, options);
+    add_regular_wave(comparison);
     add_bodies(comparison);
     add_tank_loads(comparison);
     add_entries(comparison);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ struct BodyInMesh {
 struct ZoneSource {
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
     std::vector<ForcingZone> zones;
+    std::optional<WaveSum> wave = {};  ///< that some of them make
 };
 
 /// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which

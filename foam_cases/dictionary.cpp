@@ -112,6 +112,14 @@ Value Value::nonuniform(const std::vector<Vec3>& cells) {
     return value;
 }
 
+Value Value::nonuniform(const std::vector<double>& cells) {
+    Value value;
+    value.text_ = "nonuniform List<scalar> " + std::to_string(cells.size()) + "\n(\n";
+    for (const double v : cells) value.text_ += Value(v).text() + '\n';
+    value.text_ += ')';
+    return value;
+}
+
 Key::Key(std::string_view word) : text(word) {
     check_characters(word, "_.:+-*(),", "a key");
     // OpenFOAM reads `div(phi,U)` as one word, but not a word that begins with a digit, a sign or a bracket.

@@ -52,8 +52,9 @@ public:
     static Value named(const Word& name, const Dictionary& dictionary);
     /// Values one behind the other: `hex (0 1 2 3 4 5 6 7) (4 5 6) simpleGrading (1 1 1)`.
     static Value sequence(const std::vector<Value>& parts);
-    /// One vector per cell: `nonuniform List<vector> 2 ((0 0 0) (1 0 0))`.
+    /// One vector or number per cell: `nonuniform List<vector> 2 ((0 0 0) (1 0 0))`.
     static Value nonuniform(const std::vector<Vec3>& cells);
+    static Value nonuniform(const std::vector<double>& cells);
 
     const std::string& text() const { return text_; }
     bool is_block() const { return block_; }  ///< ends in a brace: takes no semicolon

@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "foam_cases/flavour.h"
+#include "foam_cases/own_openfoam.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/run/wrapper.h"
 #include "scene/scene.h"
@@ -109,25 +110,12 @@ std::vector<fs::path> project_folders(const std::string& preferred) {
     return out;
 }
 
-/// Folders that may hold solvers built by tools/build_openfoam_solvers.sh, and beside themselves the libraries built by
-/// tools/build_openfoam_walls.sh.
-std::vector<fs::path> mended_folders() {
-    std::vector<fs::path> out;
-    if (const fs::path p = environment_path("TWINWAKE_OPENFOAM_BIN"); !p.empty()) out.push_back(p);
-    std::error_code none;
-    const fs::path self = fs::read_symlink("/proc/self/exe", none);
-    if (!self.empty()) out.push_back(self.parent_path().parent_path() / ".openfoam/bin");
-    if (const fs::path home = environment_path("HOME"); !home.empty())
-        out.push_back(home / ".local/share/twinwake/openfoam/bin");
-    return out;
-}
-
 constexpr const char *walls_file = "libventilatedWall.so", *zones_file = "libforcingZones.so";
 
-/// Built by tools/build_openfoam_walls.sh for this release; empty: none.
+/// Built by setup-openfoam for this release (tools/build_openfoam_walls.sh); empty: none.
 fs::path library_for(const OpenFoam& found, const char* file) {
-    for (const fs::path& folder : mended_folders()) {
-        fs::path library = folder.parent_path() / "walls" / (found.vendor + "-" + found.version) / file;
+    for (const fs::path& folder : own_openfoam_folders()) {
+        fs::path library = folder / "walls" / (found.vendor + "-" + found.version) / file;
         if (std::error_code none; fs::exists(library, none)) return library;
     }
     return {};
@@ -138,9 +126,9 @@ void take_libraries(OpenFoam& found) {
     found.zone_library = library_for(found, zones_file);
 }
 
-/// Built by tools/build_openfoam_solvers.sh with the solver; empty: none.
-fs::path library_beside(const fs::path& solver_folder, const char* file) {
-    fs::path library = solver_folder.parent_path() / "lib" / file;
+/// Built by setup-openfoam with the solver (tools/build_openfoam_solvers.sh); empty: none.
+fs::path library_beside(const fs::path& folder, const char* file) {
+    fs::path library = folder / "lib" / file;
     std::error_code none;
     return fs::exists(library, none) ? library : fs::path();
 }
@@ -178,10 +166,10 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
     const auto debian =
         std::find_if(installed.begin(), installed.end(), [](const OpenFoam& f) { return f.bin == debian_programs; });
     if (debian != installed.end())
-        for (const fs::path& folder : mended_folders())
-            if (is_program(folder / "interFoam")) {
+        for (const fs::path& folder : own_openfoam_folders())
+            if (is_program(folder / "bin/interFoam")) {
                 OpenFoam mended = *debian;
-                mended.solver = folder / "interFoam";
+                mended.solver = folder / "bin/interFoam";
                 mended.verdict.clear();
                 mended.wall_library = library_beside(folder, walls_file);
                 mended.zone_library = library_beside(folder, zones_file);
@@ -211,8 +199,9 @@ OpenFoam sound_openfoam(const std::string& preferred) {
         throw InputError(
             "no OpenFOAM was found " + where +
             " (looked at WM_PROJECT_DIR, /usr/share/openfoam, /usr/lib/openfoam, /opt, ~/OpenFOAM).\n"
-            "  Debian, Ubuntu: sudo apt-get install --no-install-recommends openfoam, then "
-            "tools/build_openfoam_solvers.sh .openfoam\n"
+            "  Debian, Ubuntu: sudo apt-get install --no-install-recommends openfoam, then " +
+            setup_command() +
+            "\n"
             "  others: a release of openfoam.com or openfoam.org, its etc/bashrc sourced; or run with --method sph");
     }
     if (loaded && all.front().bin != debian_programs)
@@ -222,9 +211,8 @@ OpenFoam sound_openfoam(const std::string& preferred) {
     if (!all.empty() && !all.front().prefix.empty())
         throw InputError("the OpenFOAM behind TWINWAKE_OPENFOAM_PREFIX cannot be used:" + text +
                          "\n  unset it to take one of this machine");
-    throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text +
-                     "\n  Debian, Ubuntu: tools/build_openfoam_solvers.sh .openfoam builds a sound interFoam in a "
-                     "minute, from the package's own source");
+    throw InputError("no sound OpenFOAM solver was found; a faulty one is never used:" + text + "\n  Debian, Ubuntu: " +
+                     setup_command() + " builds a sound interFoam in two minutes, from the package's own source");
 }
 
 OpenFoam openfoam_for(const Scene& scene) {
@@ -234,8 +222,8 @@ OpenFoam openfoam_for(const Scene& scene) {
     const auto refuse = [&](const std::string& why) {
         throw InputError(
             fmt::format("{}: \"isoadvector\" needs {}: {}; expected \"mules\", or for the packages of Debian "
-                        "and Ubuntu tools/build_openfoam_solvers.sh .openfoam {}",
-                        scene.place_of("fvm.interface"), geometric_solver, why, geometric_solver));
+                        "and Ubuntu {} {}",
+                        scene.place_of("fvm.interface"), geometric_solver, why, setup_command(), geometric_solver));
     };
     if (openfoam.prefix.empty() && !is_program(openfoam.solver)) refuse(openfoam.solver.string() + " is not there");
     self_test(openfoam);

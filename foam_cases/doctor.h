@@ -9,8 +9,7 @@ namespace tw {
 struct Scene;
 
 /// All that are here, sound or not. $TWINWAKE_OPENFOAM_PREFIX leaves the one behind it alone. Else the one whose environment is loaded (WM_PROJECT_DIR) first, then the mended solvers
-/// of twinwake's own folders ($TWINWAKE_OPENFOAM_BIN, .openfoam/bin beside the program's folder,
-/// ~/.local/share/twinwake/openfoam/bin), then the usual places (/usr/share/openfoam, /usr/lib/openfoam, /opt,
+/// of twinwake's own folders (foam_cases/own_openfoam.h), then the usual places (/usr/share/openfoam, /usr/lib/openfoam, /opt,
 /// ~/OpenFOAM) or, in their stead, the folders of $TWINWAKE_OPENFOAM_PLACES (colons between). `preferred`, an
 /// installation's folder or that of its solver, leaves only what belongs to it. All programs are of the release's own
 /// folder; one that lacks a program is unusable, and its verdict names it. Each has been self-tested (0.2 s).

@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "foam_cases/axis_cells.h"
 #include "foam_cases/one_way.h"
+#include "foam_cases/own_openfoam.h"
 #include "foam_cases/release.h"
 #include "foam_cases/viscous_steps.h"
 #include "meshes/query.h"
@@ -18,6 +19,7 @@
 #include "scene/box/tank_walls.h"
 #include "scene/defaults.h"
 #include "scene/mesh/mesh_cells.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
 namespace tw {
@@ -274,6 +276,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.stream = scene.motion.kind == Motion::Kind::stream;
     const ForcingZones zones = forcing_zones(scene);
     plan.zones = {Vec3(zones.speed, 0, 0), zones.zones};
+    if (scene.wave) plan.zones.wave = scene.wave->sum;
     plan.viscous = scene.effect_on("viscosity");
     plan.no_slip = scene.effect_on("no_slip");
     plan.turbulent = scene.effect_on("turbulence");
@@ -302,7 +305,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.background_cell = plan.finest_cell = background_cell(scene);
     plan_refinement(plan);
     plan.snappy = !plan.solids.empty() || !plan.boxes.empty();
-    plan.half_space = scene.water_blocks.empty();
+    plan.half_space = scene.water_blocks.empty() && !tailwater(scene);
 
     // Of blocks that touch the faces of the water that they are together: one within it takes a plane from its level.
     const std::vector<Box> water = plan.half_space ? std::vector<Box>{} : blocks_of_water(scene);
@@ -346,12 +349,12 @@ void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
     if (!plan.zone_library.empty()) return;
     const std::string remedy =
         !plan.flavour.has_forcing_zones() ? "they are written for openfoam.com and for openfoam.org from 12"
-        : !openfoam.prefix.empty() ? "tools/build_openfoam_walls.sh, started behind TWINWAKE_OPENFOAM_PREFIX, builds "
-                                     "it; its folder has to have "
-                                     "the same path there"
+        : !openfoam.prefix.empty()
+            ? setup_script("build_openfoam_walls.sh").string() +
+                  ", started behind TWINWAKE_OPENFOAM_PREFIX, builds it; its folder has to have the same path there"
         : openfoam.solver.parent_path() == openfoam.bin
-            ? "tools/build_openfoam_walls.sh builds it in the environment of that release"
-            : "tools/build_openfoam_solvers.sh .openfoam builds it";
+            ? setup_command() + " builds it in the environment of that release"
+            : setup_command() + " builds it";
     throw InputError(fmt::format(
         "this scene has forcing zones, which absorb the waves that the ends of the water would reflect, and {} {} "
         "({}) has no library of them that works: {}; or switch them off by forcing_zones = \"off\" in [effects], and "
@@ -372,10 +375,8 @@ CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
     else if (!open)
         plan.walls = "hold water under tension: the domain is closed, no air can enter";
     else if (openfoam.wall_library.empty())
-        plan.walls =
-            "hold water under tension: this OpenFOAM lacks the library for separation at ambient pressure (it is built "
-            "by "
-            "tools/build_openfoam_solvers.sh for Debian's and Ubuntu's, by tools/build_openfoam_walls.sh for others)";
+        plan.walls = "hold water under tension: this OpenFOAM lacks the library for separation at ambient pressure (" +
+                     setup_command() + " builds it)";
     else
         plan.walls = "allow separation at ambient pressure where air can reach them",
         plan.wall_library = openfoam.wall_library.string();

@@ -7,7 +7,9 @@
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
 #include "scene/water/struck_plate.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
+#include "waves/dispersion.h"
 
 namespace tw {
 namespace {
@@ -127,12 +129,14 @@ double time_scale(const Scene& scene) {
         const double length = scene.hull ? scene.hull->length : scene.domain.as_asked.size().x();
         return length / scene.motion.speed;
     }
+    if (scene.wave) return scene.wave->encounter_period();
     return std::sqrt(water_height(scene) / scene.water.gravity);
 }
 
 // Measured on the reference case: 0.15 s at L/U = 0.5 s.
 double default_ramp(const Scene& scene) {
-    return scene.motion.kind == Motion::Kind::stream ? 0.3 * time_scale(scene) : 0;
+    // Weight drives water under a gate or over a weir from the first instant, so it has its speeds at once.
+    return scene.motion.kind == Motion::Kind::stream && !tailwater(scene) ? 0.3 * time_scale(scene) : 0;
 }
 
 double start_up_period(const Scene& scene) {
@@ -142,8 +146,18 @@ double start_up_period(const Scene& scene) {
     return 8 * std::numbers::pi * std::pow(std::min(F, 0.5), 2) * time_scale(scene);
 }
 
+/// From when on a tank's wave has passed every gauge and body [s]. With solids in the tank it begins in the zone that
+/// makes it (scene/box/tank_wave.h), and its front runs to the other zone at the group speed.
+double wave_has_passed(const Scene& scene) {
+    const RegularWave& wave = *scene.wave;
+    const bool begins_in_zone = scene.hull || !scene.bodies.empty() || !scene.obstacles.empty();
+    const double way = begins_in_zone ? scene.domain.box.size().x() - wave.length : 0;
+    return 3 * wave.encounter_period() + way / (group_speed_ratio(wave.k() * wave.depth) * wave.sum.speed);
+}
+
 double default_duration(const Scene& scene) {
     const double T = time_scale(scene);
+    if (scene.wave) return wave_has_passed(scene) + 7 * T;
     if (scene.motion.kind != Motion::Kind::stream) return 10 * T;
     // A section's jet falls back on the water before it and shakes the loads: twice the time for as good a mean.
     const double mean = scene.domain.dimensions == 2 ? 4 * T : 2 * T;
@@ -163,12 +177,16 @@ void fill_times(Scene& scene) {
     if (scene.run.duration == 0)
         scene.run.duration = (scene.run.stops_when_settled() ? 2 : 1) * default_duration(scene);
     if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
+    if (scene.sampling.mean_from == 0 && scene.wave) scene.sampling.mean_from = wave_has_passed(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
         scene.sampling.mean_from = stream ? start_of(scene) + settling(scene) : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
 }
 
 double default_courant(const Scene& scene) {
+    // Implicit Euler flattens a wave by its steps: from 0.05 to 0.15 keep it (Larsen, Fuhrman & Roenby, Coastal Eng. J.
+    // 61 (2019) 18).
+    if (scene.wave) return 0.15;
     // Measured: forces of a hull in a steady stream are the same at 4 as at 1; a splash is not.
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
 }
@@ -198,10 +216,13 @@ double speed_under_quiet_surface(const Scene& scene) {
 double explained_speed(const Scene& scene) {
     if (scene.effect_on("dynamic_pressure")) return speed_under_quiet_surface(scene);
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
-    const double fall = std::sqrt(2 * scene.water.gravity * water_height(scene));
+    const std::optional<Tailwater> tail = tailwater(scene);
+    const double height = std::max(water_height(scene), tail ? tail->depth : 0.0);
+    const double fall = std::sqrt(2 * scene.water.gravity * height);
     double body = 0;
     for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));
-    return std::max({scene.motion.speed, fall + fastest_wall(scene), body, capillary_speed(scene)});
+    return std::max(
+        {scene.motion.speed, tail ? tail->speed : 0.0, fall + fastest_wall(scene), body, capillary_speed(scene)});
 }
 
 double default_sound_speed(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include "base/gap.h"
 #include "meshes/mass_properties.h"
 #include "scene/solids/walls_met.h"
+#include "scene/water/channel_flow.h"
 #include "scene/water/water_blocks.h"
 #include "text/plain_number.h"
 
@@ -130,6 +131,7 @@ std::vector<Finding> doubtful_input(const Scene& scene) {
     if (scene.tank_motion) doubt_table(scene.tank_motion->law, "the tank's motion", scene.run.duration, findings);
     for (const MovingBody& b : scene.bodies)
         if (b.motion.law) doubt_table(*b.motion.law, "body " + b.name, scene.run.duration, findings);
+    for (Finding& f : channel_flow(scene)) findings.push_back(std::move(f));
     return findings;
 }
 

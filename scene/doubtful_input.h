@@ -15,6 +15,7 @@ namespace tw {
 ///                       less than a fiftieth of the water that it would displace drowned, or more than 25 times as much
 ///   hardly_standing     a body on the floor weighs one to two times its buoyancy
 ///   table_moves_on      a motion's table ends before the run, while it moves
+///   choked, gate_too_wide, jump_moves   channel_flow.h
 std::vector<Finding> doubtful_input(const Scene& scene);
 
 /// Every warning of a scene, of its hull and of its bodies, for the first lines of a run: "warning: ...\n" each; empty:

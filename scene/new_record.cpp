@@ -127,7 +127,11 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
     }
     if (scene.effect_on("forcing_zones") && scene.motion.kind == Motion::Kind::stream)
-        record.numbers["undamped_x_min"] = scene.domain.undamped.min.x();
+        for (Eigen::Index k = 0; k < 2; ++k) {
+            const std::string axis(1, "xy"[k]);
+            record.numbers["undamped_" + axis + "_min"] = scene.domain.undamped.min[k];
+            record.numbers["undamped_" + axis + "_max"] = scene.domain.undamped.max[k];
+        }
     const auto add_filter = [&](const std::string& table, const std::string& name, double filter) {
         if (filter > 0) record.numbers[peak_filter(table, name)] = filter;
     };
@@ -147,6 +151,16 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     if (scene.effect_on("surface_tension"))
         record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
     record.numbers["size_scale"] = scene.resolution.scale;  // of --scale or --budget: how many times the scene's sizes
+    if (scene.wave) {
+        const RegularWave& wave = *scene.wave;
+        record.numbers["wave_height"] = wave.height;
+        record.numbers["wave_length"] = wave.length;
+        record.numbers["wave_period"] = wave.encounter_period();
+        record.numbers["wave_crest"] = wave.crest;
+        record.numbers["wave_trough"] = wave.trough;
+        for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
+        record.numbers["wave_direction"] = wave.sum.direction;
+    }
     if (method == "sph") {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;

@@ -18,6 +18,7 @@
 #include "record/raster_spec.h"
 #include "scene/elastic/elastic_tyre.h"
 #include "scene/sph_options.h"
+#include "waves/regular_wave.h"
 
 namespace tw {
 
@@ -85,11 +86,20 @@ struct Domain {
          z_min = Side::slip_wall, z_max = Side::atmosphere;
 };
 
-/// Where forcing zones lie (forcing_zones.h).
+/// Where forcing zones lie, and to what they draw (forcing_zones.h).
 struct ZoneOptions {
     std::string sides = "open";     ///< beside a hull in a stream: open, walls
     std::string absorbing = "all";  ///< walls of a tank: all, x, y, x_min, ...
     double wave_length = 0;         ///< that those of a tank absorb [m]; 0: of its wave maker
+    double downstream = 0;          ///< depth of the water where a stream leaves [m]; 0: as it comes (tailwater.h)
+};
+
+/// [wave] as written: a regular wave in a tank (scene/box/tank_wave.h).
+struct WaveOptions {
+    double height = 0;              ///< [m]; 0: there is no wave
+    double length = 0, period = 0;  ///< [m], [s]; one of the two, the other 0
+    double direction = 0;           ///< 0: towards +x, pi: towards -x [rad]
+    std::string theory = "auto";    ///< auto, linear, stream_function
 };
 
 struct Resolution {
@@ -168,7 +178,7 @@ struct Sampling {
     std::vector<PressureProbe> pressure;
     std::vector<HeightProbe> height;
     std::vector<double> cuts_x, cuts_y;  ///< planes in which the free surface is reported [m]
-    double snapshot_interval = 0;        ///< ParaView files [s]; 0: none
+    double snapshot_interval = 0;        ///< ParaView files [s]; 0: of the last moment alone, below 0: none
 };
 
 struct Run {
@@ -210,6 +220,8 @@ struct Scene {
     Motion motion;
     Domain domain;
     ZoneOptions zones;
+    WaveOptions wave_asked;
+    std::optional<RegularWave> wave;  ///< as it is made; none: still water
     Resolution resolution;
     std::vector<RefinedPlace> refined;
     std::vector<RefinementBox> refinement;  ///< those and what the hull asks for

@@ -229,7 +229,8 @@ private:
         RunOutput output;
         if (picture) {
             recorder_->fill_hull_pressure(*simulation_);
-            if (scene_.sampling.snapshot_interval > 0) output.picture = picture_of(*simulation_, record());
+            const double drawn = scene_.sampling.snapshot_interval;
+            if (drawn > 0 || (last && drawn == 0)) output.picture = picture_of(*simulation_, record());
             next_snapshot_ = next_after(time, std::max(scene_.sampling.snapshot_interval, 1e-300));
         }
         if (frame && gate_) recorder_->take_spray(*simulation_, *gate_);

@@ -8,11 +8,14 @@
 #include "meshes/mass_properties.h"
 #include "meshes/section.h"
 #include "scene/box/tank_walls.h"
+#include "scene/box/tank_wave.h"
 #include "scene/new_record.h"
 #include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/solids/walls_met.h"
 #include "scene/water/quiet_layer.h"
+#include "scene/water/tailwater.h"
+#include "scene/water/water_blocks.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
 #include "sph_solver/effects/effects.h"
 #include "sph_solver/equations/packing.h"
@@ -151,6 +154,21 @@ void take_rest_pressure(const Scene& scene, SimulationSetup& s) {
     for (const MovingBody& b : scene.bodies) s.submerged.push_back(submerged(b.surface, s.dimensions == 2));
 }
 
+/// Moves the water to where the wave has it, with its velocity and pressure.
+void begin_with_wave(const Scene& scene, std::vector<Fluid>& fluids) {
+    const TankWave wave(scene);
+    for (Fluid& fluid : fluids) {
+        fluid.velocity.assign(fluid.places.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < fluid.places.size(); ++i) {
+            Vec3& at = fluid.places[i];
+            if (wave.share(at.x()) == 0) continue;
+            at = wave.moved(at);
+            fluid.velocity[i] = wave.velocity(at.x(), at.z());
+            fluid.depth[i] = wave.pressure_head(at.x(), at.z());
+        }
+    }
+}
+
 }  // namespace
 
 SphSetup sph_setup(const Scene& scene, int threads) {
@@ -190,6 +208,10 @@ SphSetup sph_setup(const Scene& scene, int threads) {
         // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list
         // builds
         stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, sizes_of_particles(scene) - 1);
+        if (const auto tail = tailwater(scene)) {
+            stream.behind_from = blocks_of_water(scene).back().min.x();
+            stream.behind_share = tail->speed / stream.speed;
+        }
         s.stream = stream;
     }
     if (scene.hull) {
@@ -244,19 +266,18 @@ SphSetup sph_setup(const Scene& scene, int threads) {
 
     std::vector<Box> blocks = scene.water_blocks;
     if (blocks.empty()) {
-        Box water = s.domain;
-        water.max.z() = std::min(0.0, water.max.z());
+        blocks = blocks_of_water(scene);
         if (s.stream) {
-            water.min.x() -= s.stream->buffer;
-            water.max.x() += s.stream->buffer;
+            blocks.front().min.x() -= s.stream->buffer;
+            blocks.back().max.x() += s.stream->buffer;
         }
-        blocks.push_back(water);
     }
     if (scene.motion.kind == Motion::Kind::none && !scene.tank_motion && !scene.hull && scene.bodies.empty())
         s.packing = Packing::k;
     setup.fluid = fill_levels(s, blocks);
     fit_to_solids(s, blocks, setup.fluid);
     setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
+    if (scene.wave) begin_with_wave(scene, setup.fluid);
     if (scene.effect_on("air")) {
         AirOptions air;
         air.density = scene.water.air_density;

@@ -6,6 +6,7 @@
 # Here the same source is compiled with that keyword switched off. `twinwake doctor` proves the result by a flow whose
 # answer is known exactly.
 #
+#   twinwake setup-openfoam [solver ...]                  in the folder where twinwake looks by itself
 #   tools/build_openfoam_solvers.sh FOLDER [solver ...]   -> FOLDER/bin/interFoam, FOLDER/lib/libventilatedWall.so,
 #                                                            FOLDER/lib/libforcingZones.so
 #
@@ -20,8 +21,7 @@ sources=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
 declare -A libraries_of=([ventilated_wall]=libventilatedWall.so [forcing_zones]=libforcingZones.so)
 die() { echo "build_openfoam_solvers: $*" >&2; exit 1; }
 [ $# -ge 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
-mkdir -p "$1"
-work=$(cd "$1" && pwd); shift
+work=$(realpath -m -- "$1"); shift
 case $work in *[!A-Za-z0-9._/+-]*) die "'$work': OpenFOAM's make files cannot live in a path with blanks or quotes; choose another folder";; esac
 declare -A source_folder=([interFoam]=multiphase/interFoam [interIsoFoam]=multiphase/interIsoFoam [potentialFoam]=basic/potentialFoam)
 solvers=(interFoam)
@@ -30,11 +30,18 @@ for s in "$@"; do
     [ "$s" = interFoam ] || solvers+=("$s")
 done
 
-package=$(dpkg-query -W -f '${Version}' openfoam 2>/dev/null) || die "the package 'openfoam' is not installed: sudo apt-get install --no-install-recommends openfoam"
+needed="openfoam dpkg-dev g++ make flex libopenmpi-dev zlib1g-dev bzip2"
+command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+    die "this system has no apt and so no package whose source could be built; load a release of openfoam.com or openfoam.org (source its etc/bashrc) and give the same command again"
+package=$(dpkg-query -W -f '${db:Status-Status} ${Version}' openfoam 2>/dev/null) && [[ $package == "installed "* ]] ||
+    die "the package 'openfoam' is not installed: sudo apt-get install --no-install-recommends $needed"
+package=${package#* }
 stamp="openfoam $package, __restrict__ off"
 
 library_stamp() {  # of the source folder $1
-    echo "$stamp, source $(cat "$sources/$1"/*.[CH] | sha256sum | cut -c1-16)"
+    local also=()
+    [ "$1" != forcing_zones ] || also=("$sources/../waves/wave_sum.h")
+    echo "$stamp, source $(cat "$sources/$1"/*.[CH] "${also[@]}" | sha256sum | cut -c1-16)"
 }
 
 missing_solvers() {  # of the wanted ones: not here, not made from the installed package, or not able to start
@@ -53,14 +60,22 @@ missing_libraries() {
 }
 ready() { [ -z "$(missing_solvers)" ] && [ -z "$(missing_libraries)" ]; }
 if ready; then echo "$work: ${solvers[*]} and twinwake's libraries are there ($stamp)"; exit 0; fi
-for tool in dpkg-source g++ make flex mpicxx tar bzip2; do
-    command -v "$tool" >/dev/null || die "'$tool' is missing: sudo apt-get install dpkg-dev g++ make flex libopenmpi-dev zlib1g-dev bzip2"
+for tool in dpkg-source g++ make flex mpicxx tar bzip2 xz flock; do
+    command -v "$tool" >/dev/null || die "'$tool' is missing: sudo apt-get install --no-install-recommends $needed xz-utils util-linux"
 done
+echo "#include <zlib.h>" | g++ -E -x c++ - >/dev/null 2>&1 ||
+    die "the header zlib.h is missing: sudo apt-get install --no-install-recommends $needed"
+mkdir -p "$work" || die "$work cannot be made; choose another folder, or give the command as root"
+free=$(df -Pk "$work" | awk 'NR == 2 { print int($4 / 1e6) }')
+[ "$free" -ge 1 ] || die "less than 1 GB is free in $work; the build takes 0.4 GB and the package of sources 0.1 GB"
 
 exec 9>"$work/.lock"
 flock 9                      # two builds in one folder: the second waits and then finds the work done
 if ready; then exit 0; fi
-rm -rf "$work/build"; mkdir -p "$work/build/lists/partial" "$work/build/bin" "$work/bin" "$work/lib"; cd "$work/build"
+rm -rf "$work/build"
+trap 'rm -rf "$work/build"' EXIT   # whatever ends it; what is whole has been moved out
+mkdir -p "$work/build/lists/partial" "$work/build/bin" "$work/bin" "$work/lib"; cd "$work/build"
+echo "fetching the source of openfoam ${package%+b*} (45 MB) and building ${solvers[*]} in $work (two minutes on two cores)"
 
 # A private list of source packages, made from the system's own list of binary ones.
 for f in /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list.d/ubuntu.sources; do
@@ -69,12 +84,13 @@ done
 list=$work/build/private.sources
 if [ ! -s "$list" ]; then
     list=$work/build/private.list
-    sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >"$list"
+    sed -n 's/^deb /deb-src /p' /etc/apt/sources.list 2>/dev/null >"$list" || true
 fi
 apt=(apt-get -qq -o "Dir::Etc::sourcelist=$list" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::lists=$work/build/lists"
      -o APT::Sandbox::User="$(id -un)")
-"${apt[@]}" update || die "the package lists could not be fetched (network, proxy?)"
-"${apt[@]}" source --download-only "openfoam=${package%+b*}" || die "the source of openfoam ${package%+b*} could not be fetched"
+[ -s "$list" ] || die "neither /etc/apt/sources.list nor debian.sources or ubuntu.sources beside it names a place of packages, so none of their sources is known"
+"${apt[@]}" update || die "the lists of sources could not be fetched, see above (network, proxy?)"
+"${apt[@]}" source --download-only "openfoam=${package%+b*}" || die "the source of openfoam ${package%+b*} could not be fetched, see above"
 mkdir tree
 tar xf openfoam_*.orig.tar.* -C tree --strip-components=1
 src=$work/build/tree
@@ -105,6 +121,7 @@ log=$work/build.log; : >"$log"
 for s in $(missing_solvers); do
     ( cd "$src/applications/solvers/${source_folder[$s]}" && wmake -s ) >>"$log" 2>&1 || die "$s did not build, see $log"
     mv "$work/build/bin/$s" "$work/bin/$s"
+    echo "$work/bin/$s"
 done
 echo "$stamp" >"$work/stamp"
 for name in $(missing_libraries); do
@@ -112,10 +129,10 @@ for name in $(missing_libraries); do
     g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DOPENFOAM=1912 -DWM_DP \
         -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
         -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
-        -o "$work/lib/${libraries_of[$name]}" "$sources/$name/$name.C" >>"$log" 2>&1 ||
+        -I"$sources/../waves" -o "$work/build/${libraries_of[$name]}" "$sources/$name/$name.C" >>"$log" 2>&1 ||
         die "$sources/$name/$name.C did not build, see $log; interFoam runs without it, and \`twinwake doctor\` says what it then cannot do"
+    mv "$work/build/${libraries_of[$name]}" "$work/lib/${libraries_of[$name]}"
     library_stamp "$name" >"$work/lib/$name.stamp"
 done
-rm -rf "$work/build"
 ready || die "the solvers were built but do not start, see $log and: $work/bin/interFoam -help"
 echo "$work: ${solvers[*]} and twinwake's libraries built ($stamp)"

@@ -7,7 +7,8 @@
 #   tools/build_openfoam_walls.sh FOLDER            -> FOLDER/walls/openfoam.org-12/libventilatedWall.so
 #                                                      FOLDER/walls/openfoam.org-12/libforcingZones.so
 #
-# FOLDER is .openfoam beside twinwake's sources or ~/.local/share/twinwake/openfoam; there twinwake finds it.
+# FOLDER is .openfoam beside twinwake's sources, ~/.local/share/twinwake/openfoam or /usr/local/lib/twinwake/openfoam;
+# there twinwake finds it. `twinwake setup-openfoam` calls this script with the right one.
 # A minute. `twinwake doctor` says whether walls let water go and zones absorb waves: it runs a flow with an exact answer
 # between such walls and through such a zone, and leaves a library out that does not load or spoils the answer. Without
 # the first, walls hold water under tension; without the second, streams that need zones are refused.
@@ -36,7 +37,7 @@ trap 'rm -rf "$work"' EXIT
 build() {  # $1 from the folder $2
     local folder=$work/$1
     mkdir -p "$folder/Make"
-    cp "$source_folder/$2"/*.[CH] "$folder"
+    cp "$source_folder/$2"/*.[CH] "$source_folder/../waves/wave_sum.h" "$folder"
     # wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
     printf '%s.C\nLIB = %s/%s\n' "$2" "$folder" "$1" >"$folder/Make/files"
     # shellcheck disable=SC2016   # make's variables

@@ -1,20 +1,22 @@
 #!/usr/bin/env bash
 # Finds what the documentation names and what does not exist.
 #
-#   tools/check_docs.sh [--program build/twinwake] [FOLDER]        FOLDER: the checkout (default: this one)
+#   tools/check_docs.sh [--program build/twinwake | --links] [FOLDER]        FOLDER: the checkout (default: this one)
 #
 # In every .md file: relative links and their anchors, and files named in `code`: with a folder (`scene/keys/keys.cpp`) they
 # stand there or below the page's own folder, without (`keys.cpp`) anywhere. Capitals and stars mark a placeholder. In
 # sources: paths of headers and pages named in comments. In docs/audit.md: the tests named there. With --program also the
 # commands of the pages: subcommands and long options of `twinwake ...` in its own --help. Pages of docs/decisions and
-# CHANGELOG.md tell what was, so files and commands named there may have gone; their links may not.
+# CHANGELOG.md tell what was, so files and commands named there may have gone; their links may not. With --links nothing
+# but links: of pages that have been installed, without the sources that they name.
 # Exit status: 0 nothing found, 1 something found (one line each), 2 wrong usage.
 set -uo pipefail
-program=""
+program="" links_only=0
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 while [ $# -gt 0 ]; do
     case $1 in
         --program) program=$(realpath -- "${2:?--program needs a file}"); shift ;;
+        --links) links_only=1 ;;
         -*) echo "check_docs.sh: unknown option $1" >&2; exit 2 ;;
         *) root=$1 ;;
     esac
@@ -67,6 +69,8 @@ for page in "${pages[@]}"; do
     done < <(without_blocks "$page" | tr '\n' ' ' | grep -oE '\]\([^) ]+\)' | sed 's/^](//; s/)$//')
 done
 
+[ $links_only = 0 ] || exit $found
+
 # --- files named in pages
 for page in "${pages[@]}"; do
     case $page in docs/decisions/[0-9]* | CHANGELOG.md) continue ;; esac
@@ -108,7 +112,7 @@ if [ -n "$program" ]; then
     while IFS= read -r command; do
         read -r -a words <<<"$command"
         page=${words[0]} sub=${words[2]:-}
-        [[ $sub =~ ^[a-z]+$ ]] || sub=""
+        [[ $sub =~ ^[a-z]+(-[a-z]+)*$ ]] || sub=""
         if [ -n "$sub" ] && ! grep -qE "^ +$sub( |$)" <<<"$overview"; then
             tell "$page: twinwake has no command $sub"
             continue

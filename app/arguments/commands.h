@@ -172,6 +172,21 @@ struct DoctorCommand {
 };
 int run_doctor(const DoctorCommand& command, const Common& common);
 
+struct FilmCommand {
+    std::filesystem::path run, out;  ///< out empty: RUN/film.mp4, or film.gif without ffmpeg
+    double seconds = 0;              ///< how long the film lasts [s]; 0: ten
+    bool overwrite = false;
+};
+int run_film(const FilmCommand& command, const Common& common);
+
+struct SetupOpenfoamCommand {
+    std::vector<std::string> solvers;  ///< beside interFoam
+    std::filesystem::path folder;      ///< empty: where twinwake looks by itself
+    bool for_all_users = false;
+    int jobs = 0;  ///< of the compiler; 0: the script's
+};
+int run_setup_openfoam(const SetupOpenfoamCommand& command, const Common& common);
+
 struct StabilityCommand {
     bool quick = false;
     std::filesystem::path out;  ///< empty: runs/stability

@@ -25,7 +25,10 @@ void draw_sizes(const Scene& scene, const std::filesystem::path& file) {
     }
     const std::string picture = resolution_picture(runs, names);
     if (picture.empty())
-        throw InputError("--picture: particles and cells have one size everywhere in this scene; leave the option out");
+        throw InputError(
+            "--picture: particles and cells have one size everywhere in this scene, and it has no forcing zones; leave "
+            "the "
+            "option out");
     write_file(file, svg_file(picture));
 }
 

@@ -14,6 +14,7 @@
 #include "app/runs/facts_json.h"
 #include "app/runs/solvers.h"
 #include "base/errors.h"
+#include "foam_cases/own_openfoam.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
 #include "sph_solver/gpu_self_test.h"
@@ -108,16 +109,15 @@ int run_doctor(const DoctorCommand& command, const Common& common) {
         out += fmt::format("openfoam    {}{}: {}: {}\n", o.command(), o.loaded ? " (environment loaded)" : "",
                            o.sound ? "sound" : "NOT SOUND", o.verdict);
     if (f.openfoam.empty())
-        out +=
-            "openfoam    none found: ./bootstrap.sh build installs it (or apt-get install openfoam and run the script "
-            "again)\n";
-    out +=
-        f.sound
-            ? "\nsound: both methods can run here\n"
-            : "\nnot sound: only the particle method can run here; ./bootstrap.sh build installs a sound OpenFOAM\n" +
-                  std::string(about_openfoam);
+        out += "openfoam    none found: on Debian and Ubuntu sudo apt-get install --no-install-recommends openfoam\n";
+    out += f.sound ? std::string("\nsound: both methods can run here\n")
+                   : fmt::format(
+                         "\nnot sound: only the particle method can run here. This builds a sound OpenFOAM in two "
+                         "minutes, or says what it needs:\n  {}\n{}",
+                         setup_command(), about_openfoam);
     say(common, out);
-    if (common.quiet && !f.sound) complain("not sound: only the particle method can run here");
+    if (common.quiet && !f.sound)
+        complain("not sound: only the particle method can run here; " + setup_command() + " builds a sound OpenFOAM");
     write_json(common, doctor_json(f));
     return f.sound ? done : bad_input;
 }

@@ -62,7 +62,7 @@ PlannedRun plan_run(const RunRequest& request) {
         scene.run.methods = {request.method};
     if (request.threads > 0) scene.run.threads = request.threads;
     if (request.ranks > 0) scene.run.ranks = request.ranks;
-    if (!request.snapshots) scene.sampling.snapshot_interval = 0;
+    if (!request.snapshots) scene.sampling.snapshot_interval = -1;
     for (const std::string& m : scene.run.methods)
         if (const Solver& solver = solver_of(m); solver.refuse) solver.refuse(scene);
     const Prediction prediction = predict_here(scene);

@@ -15,9 +15,9 @@ struct RunRequest {
     SceneOverrides overrides = {};
     std::string method = {};  ///< a name, or every_method; empty: the scene's
     int threads = 0;          ///< 0: the scene's
-    bool snapshots = true;
-    int ranks = 1;           ///< 0: the scene's
-    bool elsewhere = false;  ///< made on other machines, of whose memory nothing is known here
+    bool snapshots = true;    ///< false: not even of the last moment
+    int ranks = 1;            ///< 0: the scene's
+    bool elsewhere = false;   ///< made on other machines, of whose memory nothing is known here
 };
 /// A scene as it will be run, and what that is expected to cost on this machine.
 struct PlannedRun {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "record/record_numbers.h"
 #include "compare/report/silhouette.h"
 #include "compare/report/svg_plot.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -61,6 +61,16 @@ void add_box(std::vector<PlotBox>& boxes, const PlotBox& box) {
     last->y_max = std::max(last->y_max, box.y_max);
 }
 
+bool has_zones(const RunRecord& run) { return !std::isnan(number_of(run, "undamped_x_min", std::nan(""))); }
+
+/// What lies between the forcing zones of a stream, as the outline of a rectangle; `low` and `high` bound it upwards.
+PlotLine between_zones(const RunRecord& run, int up, double low, double high) {
+    const auto face = [&](const char* name) { return number_of(run, std::string("undamped_") + name, std::nan("")); };
+    if (up == 1) low = face("y_min"), high = face("y_max");
+    const double from = face("x_min"), to = face("x_max");
+    return {.name = {}, .source = 0, .x = {from, to, to, from, from}, .y = {low, low, high, high, low}};
+}
+
 /// `up`: 2 from the side, 1 from above.
 Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names, int up) {
     Plot plot;
@@ -71,6 +81,7 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
     const bool stream = text_of(runs.front(), "motion", "") == "stream";
     plot.title = up == 1 ? "Plan view" : stream ? "Side view, stream from the left; dotted: still water" : "Side view";
     if (!runs.front().hull.triangles.empty()) plot.title += "; grey: hull";
+    if (has_zones(runs.front())) plot.title += "; outside the rectangle: forcing zones";
     if (up == 1 && number_of_text(runs.front(), "symmetry_factor", 1) > 1)
         plot.title += "; y = 0 is a plane of symmetry";
     if (up == 2 && stream) plot.levels.push_back({"", 0});
@@ -89,6 +100,7 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
         }
     }
     const PlotBox& whole = plot.boxes.front();
+    if (has_zones(runs.front())) plot.outlines.push_back(between_zones(runs.front(), up, whole.y_min, whole.y_max));
     plot.shadow =
         silhouette(runs.front().hull, up, (whole.x_max - whole.x_min) / (2 * page_width), {whole.x_min, whole.x_max});
     return plot;
@@ -97,7 +109,8 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
 }  // namespace
 
 std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names) {
-    if (std::ranges::none_of(runs, [](const RunRecord& r) { return r.resolution.size() > 1; })) return {};
+    if (std::ranges::none_of(runs, [](const RunRecord& r) { return r.resolution.size() > 1 || has_zones(r); }))
+        return {};
     std::vector<Plot> plots{view(runs, names, 2)};
     if (number_of(runs.front(), "dimensions", 3) > 2) plots.push_back(view(runs, names, 1));
     return svg_column(plots);

@@ -15,7 +15,7 @@ std::vector<std::string> kinds_of(std::string quantity) {
     if (is("pressure_arrival", "height_arrival", "body_arrival")) return {"arrival"};
     if (is("pressure_mean")) return {quantity.replace(0, name.size(), "pressure"), "pressure"};  // of this gauge first
     if (is("pressure", "pressure_peak", "pressure_p99", "body_peak", "strain_peak")) return {"peak"};
-    if (is("height", "height_peak", "height_p99")) return {"height"};
+    if (is("height", "height_peak", "height_p99", "wave_height", "wave_crest", "wave_trough")) return {"height"};
     if (is("height_mean")) return {"level"};
     if (is("body_impulse")) return {"impulse"};
     if (is("body_depth", "body_speed", "body_turn")) return {"motion"};

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ std::string gravity_file(const CasePlan& plan);
 std::string turbulence_file(const CasePlan& plan);
 std::vector<CaseFile> phase_files(const CasePlan& plan);  ///< transportProperties, or a file per phase
 
-std::string alpha_water(const CasePlan& plan);
-std::string velocity_field(const CasePlan& plan);
+/// `inside`: of the cells, where it is not what setFields or the stream makes it.
+std::string alpha_water(const CasePlan& plan, const std::optional<Value>& inside = {});
+std::string velocity_field(const CasePlan& plan, const std::optional<Value>& inside = {});
 std::string p_rgh(const CasePlan& plan);
 /// constant/dynamicMeshDict, 0.orig/pointDisplacement and the table of a prescribed motion; none where nothing moves.
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan);

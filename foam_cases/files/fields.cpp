@@ -1,6 +1,7 @@
 #include <functional>
 
 #include "foam_cases/files/case_files.h"
+#include "scene/water/tailwater.h"
 
 namespace tw {
 namespace {
@@ -38,7 +39,7 @@ Dictionary still_water(const Flavour& flavour) {
 }  // namespace
 
 /// 0/alpha.water: the volume fraction of water; setFields pours it in.
-std::string alpha_water(const CasePlan& plan) {
+std::string alpha_water(const CasePlan& plan, const std::optional<Value>& inside) {
     const auto open = [&](const Patch& p) -> Dictionary {
         if (p.open == Patch::Open::resting_water)
             return {{"type", Word("inletOutlet")}, {"inletValue", uniform(1.0)}, {"value", uniform(1.0)}};
@@ -55,20 +56,21 @@ std::string alpha_water(const CasePlan& plan) {
                 {"value", uniform(0.0)}};  // what flows in is air
     };
     const Dictionary wall{{"type", Word("zeroGradient")}};
-    return field(plan, "volScalarField", "alpha.water", dimensionless, uniform(0.0), open, wall,
+    return field(plan, "volScalarField", "alpha.water", dimensionless, inside.value_or(uniform(0.0)), open, wall,
                  [&](const Solid&) -> Dictionary {
                      if (plan.wall_library.empty()) return wall;
                      return {{"type", Word("ventilatedWallFraction")}, {"value", uniform(0.0)}};
                  });
 }
 
-/// 0/U: water and air enter with the stream; the outlet's water keeps the mean speed of the stream, so that the level
-/// neither rises nor falls.
-std::string velocity_field(const CasePlan& plan) {
+/// 0/U: water and air enter with the stream; the outlet's water keeps the mean speed of the stream, or of the water of
+/// another depth behind, so that the level neither rises nor falls.
+std::string velocity_field(const CasePlan& plan, const std::optional<Value>& of_cells) {
     const double speed = plan.stream ? plan.scene->motion.speed : 0;
     const Value stream = uniform(Vec3(speed, 0, 0));
+    const std::optional<Tailwater> tail = tailwater(*plan.scene);
     const auto& tank = plan.scene->tank_motion;
-    const Value inside = tank ? uniform(tank->velocity_of_rest()) : stream;
+    const Value inside = of_cells ? *of_cells : tank ? uniform(tank->velocity_of_rest()) : stream;
     const auto open = [&](const Patch& p) -> Dictionary {
         const Side side = p.side;
         if (p.open == Patch::Open::resting_water)
@@ -76,11 +78,13 @@ std::string velocity_field(const CasePlan& plan) {
         if (p.open == Patch::Open::water_and_air)
             return {{"type", Word("pressureInletOutletVelocity")}, {"value", uniform(Vec3::Zero())}};
         if (side == Side::inlet) return {{"type", Word("fixedValue")}, {"value", stream}};
+        if (side == Side::outlet && tail && !tail->is_slow)  // no wave comes back from there: it leaves as it comes
+            return {{"type", Word("inletOutlet")}, {"inletValue", uniform(Vec3::Zero())}, {"value", stream}};
         if (side == Side::outlet)  // Umean in v1912, UnMean later and at openfoam.org
             return {{"type", Word("outletPhaseMeanVelocity")},
                     {"alpha", Word("alpha.water")},
-                    {"Umean", speed},
-                    {"UnMean", speed},
+                    {"Umean", tail ? tail->speed : speed},
+                    {"UnMean", tail ? tail->speed : speed},
                     {"value", stream}};
         return {{"type", Word("pressureInletOutletVelocity")}, {"tangentialVelocity", stream}, {"value", stream}};
     };

@@ -1,6 +1,20 @@
+#include <map>
+
 #include "foam_cases/files/case_files.h"
 
 namespace tw {
+namespace {
+
+/// As forcing_zones.C reads it.
+Dictionary numbers_of(const WaveSum& wave) {
+    List U, eta;
+    for (int j = 0; j < wave.terms; ++j) U.push_back(wave.U[j]), eta.push_back(wave.eta[j]);
+    return {{"k", wave.k},         {"depth", wave.depth},     {"direction", wave.direction}, {"speed", wave.speed},
+            {"phase", wave.phase}, {"current", wave.current}, {"crest", wave.crest},         {"U", U},
+            {"eta", eta}};
+}
+
+}  // namespace
 
 std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source) {
     Dictionary sources;
@@ -9,13 +23,18 @@ std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source)
 }
 
 void add_zones(const ZoneSource& source, Dictionary& sources) {
-    if (source.zones.empty()) return;
-    List zones;
-    for (const ForcingZone& zone : source.zones)
-        zones.push_back(
-            Dictionary{{"axis", zone.axis}, {"begin", zone.begin}, {"end", zone.end}, {"strength", zone.gamma}});
-    sources.add("forcingZones",
-                Dictionary{{"type", Word("forcingZones")}, {"velocity", source.velocity}, {"zones", zones}});
+    // one source for each velocity to which zones draw: that of the stream, and of water of another depth behind
+    std::map<double, List> of_share;
+    for (const ForcingZone& zone : source.zones) {
+        Dictionary d{{"axis", zone.axis}, {"begin", zone.begin}, {"end", zone.end}, {"strength", zone.gamma}};
+        if (zone.makes_wave) d.add("makesWave", true);
+        of_share[zone.share].push_back(d);
+    }
+    for (const auto& [share, zones] : of_share) {
+        Dictionary all{{"type", Word("forcingZones")}, {"velocity", Vec3(share * source.velocity)}, {"zones", zones}};
+        if (source.wave) all.add("wave", numbers_of(*source.wave));
+        sources.add(share == 1 ? "forcingZones" : "forcingZonesBehind", all);
+    }
 }
 
 std::vector<CaseFile> forcing_zones_files(const CasePlan& plan) {

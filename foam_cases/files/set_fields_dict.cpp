@@ -1,4 +1,5 @@
 #include "foam_cases/files/case_files.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
 namespace tw {
@@ -24,13 +25,18 @@ std::vector<Box> water_boxes(const CasePlan& plan) {
 }  // namespace
 
 /// system/setFieldsDict: water into cells whose centre lies in a block (block faces are cell faces, see case_plan.h),
-/// and onto the inlet.
+/// and onto the inlet. Water of another depth behind starts with its own speed.
 std::string set_fields_dict(const CasePlan& plan) {
     const bool has_inlet = plan.stream;
     const auto value = [](int v) { return Value::sequence({Word("volScalarFieldValue alpha.water"), v}); };
+    const std::optional<Tailwater> tail = tailwater(*plan.scene);
+    const std::vector<Box> boxes = water_boxes(plan);
     List regions;
-    for (const Box& b : water_boxes(plan)) {
-        const Dictionary region{{"box", Value::sequence({b.min, b.max})}, {"fieldValues", List{value(1)}}};
+    for (const Box& b : boxes) {
+        List values{value(1)};
+        if (tail && &b == &boxes.back())
+            values.push_back(Value::sequence({Word("volVectorFieldValue U"), Vec3(tail->speed, 0, 0)}));
+        const Dictionary region{{"box", Value::sequence({b.min, b.max})}, {"fieldValues", values}};
         regions.push_back(Value::named(Word("boxToCell"), region));
         if (has_inlet) regions.push_back(Value::named(Word("boxToFace"), region));
     }

@@ -12,10 +12,15 @@
 //         velocity    (0.7 0 0);                                              // u_ref [m/s]
 //         zones       ( { axis 0; begin 2.5; end 3; strength 14; } ... );     // [m], [1/s]
 //     }
+//
+// A zone with `makesWave true;` draws the flow to a steady wave, whose numbers are those of waves/wave_sum.h:
+//
+//         wave { k 6.28; depth 1; direction 1; speed 1.25; phase 0; current 0; crest 0.02; U (0.06 ...); eta (0.02 ...); }
 
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "volFields.H"
+#include "wave_sum.h"
 #ifdef OPENFOAM
 #include "fvOption.H"
 #else
@@ -41,8 +46,10 @@ class forcingZones : public Source {
     struct Zone {
         label axis;
         scalar begin, end, strength;
+        bool makesWave;
     };
     vector velocity_;
+    tw::WaveSum wave_;
     List<Zone> zones_;
 
     void take(const dictionary& dict) {
@@ -55,17 +62,41 @@ class forcingZones : public Source {
             zones[i].lookup("begin") >> zone.begin;
             zones[i].lookup("end") >> zone.end;
             zones[i].lookup("strength") >> zone.strength;
+            zone.makesWave = zones[i].found("makesWave");
         }
+        if (dict.found("wave")) takeWave(dict.subDict("wave"));
     }
 
-    /// [1/s]
-    scalar rate(const point& place) const {
+    void takeWave(const dictionary& dict) {
+        dict.lookup("k") >> wave_.k;
+        dict.lookup("depth") >> wave_.depth;
+        dict.lookup("direction") >> wave_.direction;
+        dict.lookup("speed") >> wave_.speed;
+        dict.lookup("phase") >> wave_.phase;
+        dict.lookup("current") >> wave_.current;
+        dict.lookup("crest") >> wave_.crest;
+        const scalarList U(dict.lookup("U")), eta(dict.lookup("eta"));
+        wave_.terms = min(min(U.size(), eta.size()), label(tw::WaveSum::most));
+        for (label j = 0; j < wave_.terms; ++j) wave_.U[j] = U[j], wave_.eta[j] = eta[j];
+    }
+
+    /// [1/s], and whether the zone that has it makes the wave.
+    scalar rate(const point& place, bool& makesWave) const {
         scalar rate = 0;
+        makesWave = false;
         for (const Zone& zone : zones_) {
             const scalar s = (place[zone.axis] - zone.begin)/(zone.end - zone.begin);
-            if (s > 0) rate = max(rate, zone.strength*sqr(min(s, scalar(1))));
+            const scalar here = s > 0 ? zone.strength*sqr(min(s, scalar(1))) : 0;
+            if (here > rate) rate = here, makesWave = zone.makesWave;
         }
         return rate;
+    }
+
+    vector target(const point& place, bool makesWave) const {
+        if (!makesWave) return velocity_;
+        double u, w;
+        tw::wave_velocity(wave_, place.x(), place.z(), mesh().time().value(), u, w);
+        return vector(u, 0, w);
     }
 
     /// eqn is the right-hand side of the momentum equation: its diagonal takes -a u, its source -a u_ref.
@@ -75,11 +106,12 @@ class forcingZones : public Source {
         scalarField& diagonal = eqn.diag();
         vectorField& source = eqn.source();
         forAll(diagonal, cell) {
-            const scalar here = rate(centres[cell]);
+            bool makesWave;
+            const scalar here = rate(centres[cell], makesWave);
             if (here == 0) continue;
             const scalar a = rho[cell]*here*volumes[cell];
             diagonal[cell] -= a;
-            source[cell] -= a*velocity_;
+            source[cell] -= a*target(centres[cell], makesWave);
         }
     }
 

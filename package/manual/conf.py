@@ -12,7 +12,7 @@ html_theme = "sphinx_rtd_theme"
 
 # What stands in the side bar, in this order; all other pages are found through these.
 chapters = {
-    "Using twinwake": ["README", "scene/README", "docs/scene_reference", "studies/README", "meshes/README",
+    "Using twinwake": ["README", "docs/tutorial", "docs/questions", "scene/README", "docs/scene_reference", "studies/README", "meshes/README",
                        "import/README", "docs/PARAVIEW", "docs/python", "docs/record_columns", "docs/watching",
                        "docs/cluster"],
     "What is known": ["docs/theory", "docs/glossary", "docs/validation", "docs/stability", "docs/audit",

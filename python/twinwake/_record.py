@@ -45,7 +45,7 @@ class Raster:
     origin: np.ndarray  #: low corner [m]
     spacing: float  #: edge of a voxel [m]
     times: np.ndarray  #: of the frames [s]
-    counts: np.ndarray  #: (frame, z, y, x), share of water in 1/255 [uint8]
+    counts: Union[np.ndarray, h5py.Dataset]  #: (frame, z, y, x), share of water in 1/255 [uint8]
 
     @property
     def x(self) -> np.ndarray:
@@ -294,11 +294,16 @@ class Record:
 
     # --- fields
 
-    def raster(self) -> Raster:
-        """Where the water was at each frame."""
+    def raster(self, in_memory: bool = True) -> Raster:
+        """Where the water was at each frame. `in_memory=False` reads a frame when it is asked for."""
         group = self._file["raster"]
         return Raster(np.asarray(group.attrs["origin"], dtype=float), float(group.attrs["spacing"]),
-                      group["time"][()], group["water"][()])
+                      group["time"][()], group["water"][()] if in_memory else group["water"])
+
+    @property
+    def has_raster(self) -> bool:
+        """Whether there is a frame of the water; an imported record may have none."""
+        return "raster" in self._file and self._file["raster"]["water"].size > 0
 
     def hull(self) -> Optional[Hull]:
         """The hull with its pressures at the last frame; None in a tank without one."""

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "scene/box/box_walls.h"
+#include "scene/refined_places.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 #include "waves/dispersion.h"
 
@@ -22,9 +24,7 @@ constexpr double fewest_spacings = 8;  ///< of the largest size, in which a blen
 /// From the bottom of the box to still water, as asked for: the same at every resolution.
 double depth_of(const Scene& scene) { return -scene.domain.as_asked.min.z(); }
 
-double largest_size(const Scene& scene) {
-    return std::max(scene.resolution.spacing, std::ldexp(scene.resolution.near_hull, scene.sph.levels - 1));
-}
+double largest_size(const Scene& scene) { return std::max(scene.resolution.spacing, largest_particles(scene)); }
 
 /// The narrowest zone, and the shortest wave that one is made for [m].
 double shortest_wave(const Scene& scene) { return fewest_spacings * largest_size(scene); }
@@ -33,11 +33,27 @@ bool has_open_sides(const Scene& scene) {
     return scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "open";
 }
 
-/// The wave for which a stream's zones are made; above the critical speed, where they are there on demand only, that of
-/// deep water.
-double wave_of_stream(const Scene& scene, double gravity) {
-    const double U = scene.motion.speed;
-    return standing_wave_length(U, gravity, depth_of(scene)).value_or(2 * pi * U * U / gravity);
+/// The water at an end of a stream.
+struct Running {
+    double speed, depth;  ///< [m/s], [m]
+    double share = 1;     ///< of the stream's speed
+};
+Running ahead_of(const Scene& scene) { return {scene.motion.speed, depth_of(scene)}; }
+Running behind_of(const Scene& scene) {
+    const auto tail = tailwater(scene);
+    return tail ? Running{tail->speed, tail->depth, tail->speed / scene.motion.speed} : ahead_of(scene);
+}
+
+/// The wave for which a zone is made; above the critical speed, where they are there on demand only, that of deep water.
+double wave_of(const Running& water, double gravity) {
+    return standing_wave_length(water.speed, gravity, water.depth)
+        .value_or(2 * pi * water.speed * water.speed / gravity);
+}
+
+/// Whether an end has a zone: not where water comes or goes above the critical speed to another depth, and none is asked
+/// for.
+bool has_zone(const Running& water, const Scene& scene, double gravity) {
+    return !tailwater(scene) || standing_wave_length(water.speed, gravity, water.depth);
 }
 
 constexpr double longest_of_hull = 1.5;  ///< wave over hull length, of length Froude number 0.49
@@ -46,6 +62,16 @@ constexpr double longest_of_hull = 1.5;  ///< wave over hull length, of length F
 double longest_wave(const Scene& scene) {
     if (!scene.hull) return 0.5 * scene.domain.as_asked.size().x();
     return scene.hull->section ? INFINITY : longest_of_hull * scene.hull->length;
+}
+
+std::string why_of_two_depths(const Scene& scene) {
+    const auto end = [&](const Running& water) {
+        const auto wave = standing_wave_length(water.speed, scene.water.gravity, water.depth);
+        return fmt::format(
+            "{:.4g} m deep with {:.4g} m/s, {}", water.depth, water.speed,
+            wave ? fmt::format("where a wave of {:.3g} m stands", *wave) : "faster than its waves, without a zone");
+    };
+    return fmt::format("ahead the water is {}; behind {}", end(ahead_of(scene)), end(behind_of(scene)));
 }
 
 std::string why_in_stream(const Scene& scene, double wave) {
@@ -71,17 +97,26 @@ std::string why_in_stream(const Scene& scene, double wave) {
 ForcingZones zones_of_stream(const Scene& scene) {
     ForcingZones plan;
     const double U = scene.motion.speed, g = scene.water.gravity;
-    plan.wave_length = wave_of_stream(scene, g);
+    plan.wave_length = wave_of(ahead_of(scene), g);
     // shorter waves than this the sizes do not carry; a zone as strong as for them would be a wall to longer ones
-    plan.frequency = std::min(g / U, std::sqrt(2 * pi * g / shortest_wave(scene)));
+    const auto gamma = [&](double speed) { return std::min(g / speed, std::sqrt(2 * pi * g / shortest_wave(scene))); };
+    plan.frequency = gamma(U);
     plan.speed = U;
-    plan.why = why_in_stream(scene, plan.wave_length);
+    plan.why = tailwater(scene) ? why_of_two_depths(scene) : why_in_stream(scene, plan.wave_length);
+    const Running behind = behind_of(scene);
     const Domain& d = scene.domain;
     for (int axis = 0; axis < 2; ++axis)
         for (const bool high : {false, true}) {
             const double begin = (high ? d.undamped.max : d.undamped.min)[axis],
                          end = (high ? d.box.max : d.box.min)[axis];
-            if (begin != end) plan.zones.push_back({axis, high, begin, end, plan.frequency});
+            if (begin == end) continue;
+            const bool leaves = axis == 0 && high;
+            plan.zones.push_back({.axis = axis,
+                                  .high = high,
+                                  .begin = begin,
+                                  .end = end,
+                                  .gamma = leaves ? gamma(behind.speed) : plan.frequency,
+                                  .share = leaves ? behind.share : 1});
         }
     return plan;
 }
@@ -106,6 +141,29 @@ double clear_of_bodies(const Scene& scene, int axis, bool high) {
                                      : at.min[axis] - swing - scene.domain.box.min[axis]);
     }
     return std::max(0.0, clear);
+}
+
+/// Of a tank with a wave: the end that makes it, and the one that absorbs it.
+ForcingZones zones_of_wave(const Scene& scene) {
+    const RegularWave& wave = *scene.wave;
+    ForcingZones plan;
+    plan.wave_length = wave.length;
+    plan.frequency = wave.encounter_frequency();
+    plan.why = "one wave length each: the first makes the wave, the second absorbs it";
+    const double gamma = 1.5 * plan.frequency / std::sqrt(std::tanh(wave.k() * wave.depth));
+    const Box& box = scene.domain.box;
+    const bool from_high = wave.sum.direction < 0;
+    for (const bool makes : {true, false}) {
+        const bool high = makes == from_high;
+        const double end = (high ? box.max : box.min).x();
+        plan.zones.push_back({.axis = 0,
+                              .high = high,
+                              .begin = high ? end - wave.length : end + wave.length,
+                              .end = end,
+                              .gamma = makes ? 2 * gamma : gamma,
+                              .makes_wave = makes});
+    }
+    return plan;
 }
 
 ForcingZones zones_of_tank(const Scene& scene) {
@@ -160,19 +218,24 @@ std::optional<double> standing_wave_length(double speed, double gravity, double 
 
 bool has_zones_by_default(const Scene& scene, double gravity) {
     return scene.motion.kind == Motion::Kind::stream && gravity > 0 && !(scene.hull && planes(scene)) &&
-           standing_wave_length(scene.motion.speed, gravity, depth_of(scene));
+           (tailwater(scene) || standing_wave_length(scene.motion.speed, gravity, depth_of(scene)));
 }
 
 ZoneReach zone_reach(const Scene& scene, double gravity) {
-    const double wave = std::min(wave_of_stream(scene, gravity), longest_wave(scene)), size = largest_size(scene);
-    const auto width = [&](double of_wave) {
+    const double size = largest_size(scene);
+    const Running ahead = ahead_of(scene), behind = behind_of(scene);
+    const auto width = [&](const Running& water, double of_wave) {
+        const double wave = std::min(wave_of(water, gravity), longest_wave(scene));
         return std::ceil(std::max(of_wave * wave / size, fewest_spacings) - 1e-6) * size;
     };
-    return {width(ahead_of_wave), width(behind_of_wave), has_open_sides(scene) ? width(side_of_wave) : 0};
+    return {has_zone(ahead, scene, gravity) ? width(ahead, ahead_of_wave) : 0,
+            has_zone(behind, scene, gravity) ? width(behind, behind_of_wave) : 0,
+            has_open_sides(scene) ? width(ahead, side_of_wave) : 0};
 }
 
 ForcingZones forcing_zones(const Scene& scene) {
     if (!scene.effect_on("forcing_zones")) return {};
+    if (scene.wave) return zones_of_wave(scene);
     return scene.motion.kind == Motion::Kind::stream ? zones_of_stream(scene) : zones_of_tank(scene);
 }
 

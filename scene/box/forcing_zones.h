@@ -12,13 +12,15 @@ namespace tw {
 ///
 ///   du/dt += gamma b (u_ref - u),   b = s^2,   s from 0 at `begin` to 1 at `end`
 ///
-/// u_ref is the stream, with its ramp, or rest. Where zones overlap the largest gamma b counts. Relaxation of the
-/// velocity alone, after Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, arXiv:1705.06940.
+/// u_ref: the stream (with its ramp), rest, or in the zone that makes it the scene's wave; of zones the largest gamma b
+/// counts. Relaxation of velocity alone, after Peric & Abdel-Maksoud, Ocean Eng. 147 (2018) 132, arXiv:1705.06940.
 struct ForcingZone {
     int axis = 0;               ///< 0 x, 1 y
     bool high = false;          ///< at the face of larger coordinate
     double begin = 0, end = 0;  ///< along the axis [m]: where b rises from 0, and the face, where it is 1
     double gamma = 0;           ///< [1/s]
+    double share = 1;           ///< u_ref over the stream's speed: of the water behind it may be another (tailwater.h)
+    bool makes_wave = false;    ///< u_ref is the scene's wave
 };
 struct ForcingZones {
     std::vector<ForcingZone> zones = {};
@@ -31,7 +33,7 @@ struct ForcingZones {
 /// linear waves in two dimensions (docs/decisions/082-zones-and-ends.md).
 ///
 /// In a stream they lie outside the box that was asked for (`Domain::undamped`) and are made for the wave that stands in
-/// it, of length lambda and frequency g/U in the water: gamma = g/U over lambda ahead, 1.5 lambda behind, and lambda/2
+/// it (at the outlet in the water behind, tailwater.h), of length lambda and frequency g/U in the water: gamma = g/U over lambda ahead, 1.5 lambda behind, and lambda/2
 /// beside a hull in three dimensions, unless [domain] sides = "walls". Widths follow lambda up to 1.5 lengths of a hull in
 /// three dimensions, or half of a channel, and are at least eight of the largest spacings; gamma is at most that of deep
 /// water's wave of that length.
@@ -39,6 +41,10 @@ struct ForcingZones {
 /// In a tank they lie inside, along the walls of [tank] absorbing, one wave length wide for the longest wave of a body
 /// that oscillates ([tank] wave_length), but clear of prescribed bodies and over at most half of the tank, with gamma =
 /// 1.5 omega / sqrt(tanh k h), and more where there is room for less than 0.6 of a wave length.
+///
+/// A tank with a [wave] has two, at the ends that it comes from and runs to, each one wave length wide. The wall behind
+/// the zone that makes it sends out a wave of the same height against it, which crosses the zone once and is left with
+/// exp(-gamma L / (6 cg)) of its height: 4 % in deep water at 1.5 omega, 10 % at k h = 1. So that zone is twice as strong.
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.

@@ -2,16 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "scene/box/box_walls.h"
 #include "scene/effects/part.h"
+#include "scene/refined_places.h"
+#include "scene/water/tailwater.h"
 
 namespace tw::effect_parts {
 namespace {
 
 std::string reason_of(const EffectQuestion& q, bool by_default) {
     const Scene& scene = q.scene;
+    if (scene.wave) return "the wave is made in a zone at one end of the tank and absorbed in one at the other";
     if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
     if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
+    if (by_default && tailwater(scene)) return "the water behind is held at the depth of [domain] downstream";
     if (by_default) return "waves can stand and travel upstream in this stream: its ends would reflect them";
     return scene.hull && planes(scene)
                ? fmt::format("Fr = {:.3g}: waves leave the domain before the sides reflect them", q.flow.froude)
@@ -19,14 +25,16 @@ std::string reason_of(const EffectQuestion& q, bool by_default) {
 }
 
 EffectChoice plan_forcing_zones(const EffectQuestion& q) {
-    const bool by_default = has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
+    const bool by_default = q.scene.wave || has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
     EffectChoice c = q.choice(by_default);
     c.reason = reason_of(q, by_default);
     c.influence = by_default
                       ? influence("a multiple of it, growing with time", "as the level drifts", "waves at the ends")
                       : influence("below 1 %", "below 1 %", "waves near the sides");
     const Box &all = q.scene.domain.box, &open = q.scene.domain.undamped;
-    c.cost = all.volume() / open.volume() - 1 + 0.01;
+    const double fewer = has_coarse_zones(q.scene) ? std::exp2(q.scene.domain.dimensions) : 1;
+    c.cost = (all.volume() / open.volume() - 1) / fewer + 0.01;
+    if (q.scene.wave) c.influence = influence("100 %", "100 %", "the wave itself");
     return c;
 }
 
@@ -49,6 +57,16 @@ EffectPart forcing_zones() {
                   .slot = slot(&Scene::zones, &ZoneOptions::sides),
                   .meaning = "Beside a hull in a stream: open water, with zones that absorb waves, or walls, as of a "
                              "towing tank.",
+                  .later = true},
+                 {.section = "domain",
+                  .name = "downstream",
+                  .unit = "m",
+                  .range = positive,
+                  .hashed = SceneKey::Hashed::scene,
+                  .slot = slot(&Scene::zones, &ZoneOptions::downstream),
+                  .fallback = "as ahead",
+                  .meaning = "Depth of the water where a stream without a hull leaves, behind a weir, a gate or a "
+                             "jump; its speed there is that with which as much leaves as enters.",
                   .later = true},
                  {.section = "tank",
                   .name = "absorbing",

@@ -15,6 +15,7 @@ std::vector<SceneKey> gauge_keys();
 
 std::vector<SceneKey> water_keys();
 std::vector<SceneKey> motion_keys();
+std::vector<SceneKey> wave_keys();
 std::vector<SceneKey> resolution_keys();
 std::vector<SceneKey> domain_keys();
 std::vector<SceneKey> run_keys();

@@ -35,6 +35,7 @@ std::vector<SceneKey> all_keys() {
         {"hull", hull_keys()},
         {"water", water_keys()},
         {"motion", motion_keys()},
+        {"wave", wave_keys()},
         {"resolution", resolution_keys()},
         {"domain", domain_keys()},
         {"run", run_keys()},
@@ -74,6 +75,9 @@ const std::vector<SectionRow>& scene_sections() {
         {"hull", false, "The hull as it stands in the water. Without this section the scene has no hull."},
         {"water", false, "Water, air and gravity."},
         {"motion", false, "How hull and water move against each other."},
+        {"wave", false,
+         "A regular wave in a tank: the water begins with it, a zone at one end makes it, one at the other absorbs "
+         "it."},
         {"resolution", false, "Sizes of particles and cells."},
         {"domain", false, "Extent of what is solved, around the hull or, in a channel, by itself."},
         {"run", false, "How long and how the scene is run."},

@@ -1,4 +1,6 @@
 // Rows of the water, of how it is resolved and recorded, and of both methods.
+#include <numbers>
+
 #include "methods/methods.h"
 #include "scene/keys/key_rows.h"
 
@@ -56,6 +58,27 @@ Rows motion_keys() {
          .meaning = "Speed of the stream, along +x.", .hint = "for still water write kind = \"none\""},
         {.name = "ramp", .unit = "s", .range = not_negative, .hashed = Hashed::run, .fallback = "0.3 L/U",
          .meaning = "Time over which the particle method starts the stream."},
+    };
+}
+
+Rows wave_keys() {
+    return {
+        {.name = "height", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::height), .fallback = "required",
+         .meaning = "Height of the wave from trough to crest.", .later = true},
+        {.name = "length", .unit = "m", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::length), .fallback = "from the period",
+         .meaning = "Distance from crest to crest; length or period is given.", .later = true},
+        {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::period), .fallback = "from the length",
+         .meaning = "Time between two crests at a place of the tank.", .later = true},
+        {.name = "direction", .unit = "rad", .range = {-std::numbers::pi, std::numbers::pi}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::wave_asked, &WaveOptions::direction), .fallback = "0 deg",
+         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x.", .later = true},
+        {.name = "theory", .kind = Kind::choice, .choices = {"auto", "linear", "stream_function"},
+         .hashed = Hashed::scene, .slot = slot(&Scene::wave_asked, &WaveOptions::theory),
+         .meaning = "Velocities and surface of the wave: linear where that changes neither crest nor speed by more than "
+                    "0.5 %, else Fenton's stream function.", .later = true},
     };
 }
 
@@ -145,7 +168,7 @@ Rows sampling_keys() {
                     "splash."},
         {.name = "snapshots", .unit = "s", .range = not_negative,
          .slot = slot(&Scene::sampling, &Sampling::snapshot_interval),
-         .meaning = "Time between ParaView files; 0: none are written."},
+         .meaning = "Time between ParaView files; 0: the last moment alone."},
         {.name = "raster_spacing", .unit = "m", .range = positive, .hashed = Hashed::scene,
          .fallback = "2 near_hull; near_hull in two dimensions",
          .meaning = "Edge of the voxels in which both methods count their water, for splash heights."},
@@ -238,6 +261,10 @@ Rows sph_keys() {
          .later = true},
         {.name = "zone", .range = {8, 200}, .hashed = Hashed::run, .slot = slot(&Scene::sph, &SphOptions::zone),
          .meaning = "With several levels: how far the finest particles reach from the bounding boxes of hull, obstacles and bodies, in their spacings.",
+         .later = true},
+        {.name = "zones", .kind = Kind::choice, .choices = {"coarse", "fine"}, .hashed = Hashed::run,
+         .slot = slot(&Scene::sph, &SphOptions::zones),
+         .meaning = "Particles in the forcing zones that lie outside the box of a stream: as large as those in the box, or twice as large.",
          .later = true},
         {.name = "wake", .kind = Kind::whole, .range = {0, 32}, .hashed = Hashed::run,
          .slot = slot(&Scene::sph, &SphOptions::wake),

@@ -123,6 +123,17 @@ Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, cons
     return Zone(std::move(boxes), std::move(near), width);
 }
 
+/// All that lies between the forcing zones, through walls, planes and the sky.
+Box between_forcing_zones(const Scene& scene) {
+    Box box = scene.domain.undamped;
+    const Box& all = scene.domain.box;
+    for (int a = 0; a < 3; ++a) {
+        if (a == 2 || box.min[a] <= all.min[a]) box.min[a] = -infinite;
+        if (a == 2 || box.max[a] >= all.max[a]) box.max[a] = infinite;
+    }
+    return box;
+}
+
 /// The boxes round the solids, the finest first: for each size one box a solid.
 std::vector<std::vector<Box>> boxes_round(const std::vector<Root>& solids, const Scene& scene) {
     const double dp = scene.resolution.near_hull;
@@ -134,6 +145,7 @@ std::vector<std::vector<Box>> boxes_round(const std::vector<Root>& solids, const
         for (const Root& solid : solids) of_size.push_back(zone_box(solid, width, coarse_dp, scene));
         width += between * coarse_dp;
     }
+    if (has_coarse_zones(scene)) boxes.push_back({between_forcing_zones(scene)});
     return boxes;
 }
 
@@ -161,7 +173,7 @@ bool fills_the_water(const Scene& scene, double coarse_dp, double dp) {
 /// How many of those sizes have room: ahead of the solids and of one another in a stream, within the tank else.
 int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const std::vector<std::vector<Box>>& boxes) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    int fit = static_cast<int>(boxes.size());
+    int fit = scene.sph.levels - 1;  // the box between forcing zones is none round a solid
     for (std::size_t i = 0; i < solids.size(); ++i) {
         double x = solids[i].box.min.x(), dp = scene.resolution.near_hull;
         for (int k = 0; k < fit; ++k, dp *= 2) {
@@ -238,7 +250,9 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     keep_those_with_room(scene, make_domain);
 }
 
-bool zones_move(const Scene& scene) { return scene.hull_is_free() || !scene.bodies.empty(); }
+bool zones_move(const Scene& scene) {
+    return (scene.hull_is_free() && !has_coarse_zones(scene)) || !scene.bodies.empty();
+}
 
 std::vector<MovedSolid> moving_at_start(const Scene& scene) {
     std::vector<MovedSolid> solids;
@@ -252,7 +266,7 @@ namespace {
 /// `most`: nodes of a grid of distances.
 std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start,
                            double most) {
-    const int below = sizes_below_near_hull(scene), finer = below + scene.sph.levels - 1;
+    const int below = sizes_below_near_hull(scene), finer = sizes_of_particles(scene) - 1;
     const std::vector<Root> solids = roots(scene, moving);
     const std::vector<std::vector<Box>> round = boxes_round(solids, scene);
     const std::vector<RefinedPlace> places = finer_places(scene);
@@ -277,7 +291,8 @@ std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> movin
         std::vector<Box> parts;
         for (const ZoneBox& b : boxes) parts.push_back(b.box);
         const bool alone = k > below && first.min == parts.front().min && first.max == parts.front().max;
-        if (!alone || !follows_its_hull(scene)) {
+        const bool is_whole_box = has_coarse_zones(scene) && k == finer;
+        if (!alone || !follows_its_hull(scene) || is_whole_box) {
             zones.insert(zones.begin(), Zone(std::move(parts)));
         } else if (start.empty()) {
             const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
@@ -300,9 +315,18 @@ std::vector<Zone> zones_at_start(const Scene& scene, double most) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;
     const std::vector<MovedSolid> moving = moving_at_start(scene);
     const std::vector<Root> solids = roots(scene, moving);
-    if (solids.empty() || (stream && !scene.hull))
+    if (has_coarse_zones(scene)) {
+        if (scene.sph.levels > 1 || !scene.bodies.empty())
+            throw InputError(scene.place_of("sph.zones") +
+                             ": coarse particles in forcing zones go with one size in the box, and with no body in it; "
+                             "write zones = \"fine\"");
+        if (scene.domain.box.min == scene.domain.undamped.min && scene.domain.box.max == scene.domain.undamped.max)
+            throw InputError(scene.place_of("sph.zones") +
+                             ": this scene has no forcing zones outside its box; remove this key");
+    } else if (solids.empty() || (stream && !scene.hull))
         refuse("several sizes of particles stand round a hull, an obstacle or a body; leave it out");
-    if (const int fit = zones_that_fit(scene, solids, boxes_round(solids, scene)); fit + 1 < scene.sph.levels)
+    if (const int fit = zones_that_fit(scene, solids, boxes_round(solids, scene));
+        fit + 1 < scene.sph.levels)
         refuse(stream
                    ? fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, "
                                  "or a longer domain ahead",

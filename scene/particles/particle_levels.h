@@ -14,8 +14,8 @@ namespace tw {
 /// scene asks for ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone
 /// goes on through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of
 /// boxes lie on the coarse lattice, but for those round what moves. Edges are ten spacings of the level between
-/// them apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Empty with
-/// `[sph] levels = 1`. Throws InputError where there is no solid, or no room ahead of it or within the tank.
+/// them apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Where
+/// forcing zones have coarse particles the box without these zones is the widest. Empty where particles have one size. Throws InputError where there is no solid, or no room ahead of it or within the tank.
 std::vector<Zone> particle_zones(const Scene& scene);
 /// The same where particles are only counted: beside a large hull by a tenth of the distances, which take most of the
 /// time of a prediction.

@@ -9,6 +9,7 @@
 #include "scene/box/box_walls.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/defaults.h"
+#include "scene/refined_places.h"
 
 namespace tw {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 /// stays where it is: particles and cells are made to fit the depth.
 double snapped_face(double face, bool given, bool high, const Scene& scene) {
     const Resolution& r = scene.resolution;
-    const double dp = std::ldexp(r.near_hull, scene.sph.levels - 1);
+    const double dp = largest_particles(scene);
     if (given) return std::round(face / dp) * dp;
     const double size = std::max(r.spacing, dp);
     return (high ? std::ceil(face / size - 1e-6) : std::floor(face / size + 1e-6)) * size;

@@ -15,7 +15,7 @@ namespace tw {
 
 /// All sections of one scene file; kept while the scene is being checked so that a later finding names its key.
 struct Sections {
-    SceneSection root, hull, water, motion, resolution, domain, run, sampling, tank, effects;
+    SceneSection root, hull, water, motion, wave, resolution, domain, run, sampling, tank, effects;
     std::map<std::string, SceneSection> numerics;  ///< of each method, by its name
     std::vector<SceneSection> obstacles, bodies, probes, water_blocks, refined, plies, gauges;
 };
@@ -23,6 +23,11 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
 
 std::optional<double> read_water(SceneSection& s, Scene& scene);                  ///< depth of the place [m]
 std::optional<double> read_motion(SceneSection& s, Scene& scene, bool has_hull);  ///< ramp [s]
+
+/// Works out scene.wave from what is asked for, once the tank and its water are known.
+void settle_wave(Scene& scene, Sections& s);
+/// What can be judged only with sizes and effects. Throws InputError.
+void check_wave(const Scene& scene, Sections& s);
 
 struct ResolutionOptions {
     std::optional<double> spacing, near_hull;

@@ -16,6 +16,7 @@
 #include "scene/solids/attitude.h"
 #include "scene/solids/vortex_shedding.h"
 #include "scene/water/quiet_layer.h"
+#include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
 namespace tw {
@@ -92,7 +93,7 @@ void note_places(const Sections& s, Scene& scene) {
                 scene.places[key.section + "." + key.name] = section.where(key.name);
     };
     for (const SceneSection* section :
-         {&s.hull, &s.water, &s.motion, &s.resolution, &s.domain, &s.run, &s.sampling, &s.tank})
+         {&s.hull, &s.water, &s.motion, &s.wave, &s.resolution, &s.domain, &s.run, &s.sampling, &s.tank})
         note(*section);
     for (const auto& [method, section] : s.numerics) note(section);
 }
@@ -119,6 +120,7 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
                one("hull"),
                one("water"),
                one("motion"),
+               one("wave"),
                one("resolution"),
                one("domain"),
                one("run"),
@@ -162,6 +164,8 @@ void read_sections(Reading& r) {
     note_places(s, scene);
     r.depth = read_water(s.water, scene);
     r.ramp = read_motion(s.motion, scene, s.hull.present());
+    s.wave.read_into(scene);
+    s.wave.finish();
     r.voxel = read_sampling(s.sampling, s.probes, scene);
     const auto read_all = [&](SceneSection& section) {
         section.read_into(scene);
@@ -267,6 +271,7 @@ void settle_domain(Reading& r) {
                       "z = 0, or [[water_block]]");
     check_places(scene, s);
     check_bodies(scene, s);
+    settle_wave(scene, s);
 }
 
 /// What ends the run. Once its hull and bodies are known, and before its duration is filled in.
@@ -350,6 +355,7 @@ void settle_effects(Reading& r) {
     warn_of_slow_bodies(scene);
     check_gate(scene, s.numerics.at("sph"));
     check_tank_motion(scene, s);
+    check_tailwater(scene);
     if (const auto shedding = check_vortex_shedding(scene)) scene.hull->findings.push_back(*shedding);
 }
 
@@ -371,6 +377,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     apply_to_run(r);
     settle_places(r);
     settle_effects(r);
+    check_wave(r.scene, r.sections);
     r.scene.hash = scene_hash(r.scene);
     return std::move(r.scene);
 }

@@ -1,8 +1,10 @@
 #include "scene/water/water_blocks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/disjoint_boxes.h"
+#include "scene/water/tailwater.h"
 
 namespace tw {
 
@@ -19,7 +21,13 @@ std::vector<Box> blocks_of_water(const Scene& scene) {
         return disjoint_boxes(scene.water_blocks, scene.domain.dimensions, 0.5 * scene.resolution.near_hull);
     Box water = scene.domain.box;
     water.max.z() = std::min(0.0, water.max.z());
-    return {water};
+    const auto tail = tailwater(scene);
+    if (!tail) return {water};
+    const double dp = scene.resolution.near_hull;
+    Box behind = water;
+    water.max.x() = behind.min.x() = std::round(tail->begins / dp) * dp;
+    behind.max.z() = std::round(tail->level / dp) * dp;
+    return {water, behind};
 }
 
 double water_volume(const Scene& scene) {
@@ -32,7 +40,12 @@ double water_volume(const Scene& scene) {
     const double hull = scene.hull ? scene.hull->still.volume * scene.span() / scene.symmetry_factor() : 0;
     double bodies = 0;
     for (const MovingBody& b : scene.bodies) bodies += hydrostatics(b.surface).volume * scene.span();
-    return size.x() * size.y() * -scene.domain.box.min.z() - hull - bodies;
+    double water = size.x() * size.y() * -scene.domain.box.min.z();
+    if (tailwater(scene)) {
+        water = 0;
+        for (const Box& block : blocks_of_water(scene)) water += block.volume();
+    }
+    return water - hull - bodies;
 }
 
 double air_volume(const Scene& scene) {

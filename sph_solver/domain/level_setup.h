@@ -41,7 +41,8 @@ struct LevelSetup {
 struct Fluid {
     std::vector<Vec3> places;
     std::vector<double> depth;
-    double volume = 0;  ///< of one particle, mass over rho0 [m3; in two dimensions m2]; 0: dp^dimensions
+    std::vector<Vec3> velocity = {};  ///< at the start [m/s]; empty: that of the surroundings
+    double volume = 0;                ///< of one particle, mass over rho0 [m3; in two dimensions m2]; 0: dp^dimensions
 };
 
 }  // namespace tw

@@ -1,8 +1,10 @@
 #include "sph_solver/effects/forcing_zones.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
+#include "scene/water/tailwater.h"
 #include "sph_solver/effects/forcing_zones_loops.h"
 #include "sph_solver/effects/registry.h"
 
@@ -17,15 +19,23 @@ public:
     }
 
     void add_rates(const StepView& step) override {
+        if (o_.wave) return add_rates_of_wave(step);
         ForceInZones force{.p = step.p,
                            .kind = step.kind,
                            .rate = step.rate,
                            .zones = {},
                            .count = static_cast<int>(o_.zones.size()),
-                           .stream = step.around.stream ? step.around.stream->velocity(step.time) : 0};
+                           .stream = 0,
+                           .behind_from = std::numeric_limits<double>::infinity(),
+                           .behind = 0};
+        if (const auto& stream = step.around.stream) {
+            force.stream = stream->velocity(step.time);
+            force.behind_from = stream->behind_from;
+            force.behind = (stream->behind_share - 1) * stream->acceleration(step.time);
+        }
         for (std::size_t k = 0; k < o_.zones.size(); ++k) {
             const ForcingZone& z = o_.zones[k];
-            force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma};
+            force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma, z.share};
         }
         step.each(step.n, force);
     }
@@ -36,6 +46,23 @@ public:
     }
 
 private:
+    void add_rates_of_wave(const StepView& step) {
+        ForceTowardsWave force{.p = step.p,
+                               .kind = step.kind,
+                               .rate = step.rate,
+                               .zones = {},
+                               .makes_wave = {},
+                               .count = static_cast<int>(o_.zones.size()),
+                               .time = step.time,
+                               .wave = *o_.wave};
+        for (std::size_t k = 0; k < o_.zones.size(); ++k) {
+            const ForcingZone& z = o_.zones[k];
+            force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma, 1};
+            force.makes_wave[k] = z.makes_wave;
+        }
+        step.each(step.n, force);
+    }
+
     ZoneForcing o_;
 };
 
@@ -45,7 +72,10 @@ std::unique_ptr<Effect> make_effect(const ZoneForcing& options) { return std::ma
 
 void effect_of_scene::forcing_zones(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
     ForcingZones plan = tw::forcing_zones(scene);
-    if (!plan.zones.empty()) on.push_back(ZoneForcing{std::move(plan.zones)});
+    if (plan.zones.empty() && !tailwater(scene)) return;
+    std::optional<WaveSum> wave;
+    if (scene.wave) wave = scene.wave->sum;
+    on.push_back(ZoneForcing{std::move(plan.zones), wave});
 }
 
 }  // namespace tw

@@ -4,6 +4,7 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/loops/records.h"
+#include "waves/wave_sum.h"
 
 namespace tw {
 
@@ -13,6 +14,7 @@ struct ForceInZones {
         int axis;
         double begin, per_length;  ///< [m], 1 / (end - begin) [1/m]
         double gamma;              ///< [1/s]
+        double share;              ///< of the stream's velocity
     };
     static constexpr int most = 6;  ///< as many as a domain has faces
 
@@ -21,22 +23,55 @@ struct ForceInZones {
     RateRecord* rate;
     Zone zones[most];
     int count;
-    double stream;  ///< [m/s]
+    double stream;       ///< [m/s]
+    double behind_from;  ///< [m]: behind it the start accelerates the water by `behind` more
+    double behind;       ///< [m/s2]
 
     void operator()(std::size_t i) const {
         if (!follows_the_equations(kind[i])) return;
-        double by = 0;
+        if (p.x[i] > behind_from) rate[i].ax += static_cast<float>(behind);
+        double by = 0, share = 1;
         for (int k = 0; k < count; ++k) {
             const Zone& z = zones[k];
             const double at = z.axis == 0 ? p.x[i] : z.axis == 1 ? p.y[i] : p.z[i];
             const double s = std::min((at - z.begin) * z.per_length, 1.0);
-            if (s > 0) by = std::max(by, z.gamma * s * s);
+            if (s > 0 && z.gamma * s * s > by) by = z.gamma * s * s, share = z.share;
         }
         if (by == 0) return;
         RateRecord& r = rate[i];
-        r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - stream));
+        r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - share * stream));
         r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));
         r.az -= static_cast<float>(by * static_cast<double>(p.w[i]));
+    }
+};
+
+/// The same where some of the zones draw the water to a wave, the others to rest.
+struct ForceTowardsWave {
+    StateView p;
+    const Kind* kind;
+    RateRecord* rate;
+    ForceInZones::Zone zones[ForceInZones::most];
+    bool makes_wave[ForceInZones::most];
+    int count;
+    double time;  ///< [s]
+    WaveSum wave;
+
+    void operator()(std::size_t i) const {
+        if (!follows_the_equations(kind[i])) return;
+        double by = 0;
+        bool to_wave = false;
+        for (int k = 0; k < count; ++k) {
+            const ForceInZones::Zone& z = zones[k];
+            const double s = std::min((p.x[i] - z.begin) * z.per_length, 1.0), here = z.gamma * s * s;
+            if (s > 0 && here > by) by = here, to_wave = makes_wave[k];
+        }
+        if (by == 0) return;
+        double u = 0, w = 0;
+        if (to_wave) wave_velocity(wave, p.x[i], p.z[i], time, u, w);
+        RateRecord& r = rate[i];
+        r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - u));
+        r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));
+        r.az -= static_cast<float>(by * (static_cast<double>(p.w[i]) - w));
     }
 };
 

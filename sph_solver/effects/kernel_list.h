@@ -17,6 +17,7 @@
     task(tw_damp_sound,        DampSound)       \
     task(tw_cut_off_tension,   CutOffTension)   \
     task(tw_force_in_zones,    ForceInZones)    \
+    task(tw_force_to_wave,     ForceTowardsWave) \
     task(tw_feel_motion,       FeelMotion)      \
     task(tw_set_viscosity,     SetViscosity)    \
     task(tw_copy_motion,       CopyMotion)      \

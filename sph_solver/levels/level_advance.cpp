@@ -83,6 +83,7 @@ Move Level::move_on(const Schedule::Move& move) {
             .drift = drift,
             .stream_before = system_.stream_velocity(system_.time),
             .stream_after = system_.stream_velocity(system_.time + dt),
+            .outlet_share = system_.around.stream ? system_.around.stream->behind_share : 1,
             .shifts = s.shifting > 0,
             .shifting_support = s.shifting_support,
             .shift_step = ShiftStep(s.shifting, dt, system_.h, s.dp),

@@ -24,7 +24,8 @@ void Level::go_to_stage(double since) {
     const Stopwatch watch(timers_.update);
     const StepView view = steps_->step_view(system_.time);
     view.each(view.n, GoToStage{view.p, view.kind, stages_.start.data(), view.rate, since,
-                                system_.stream_velocity(system_.time + since), system_.stream_velocity(system_.time)});
+                                system_.stream_velocity(system_.time + since), system_.stream_velocity(system_.time),
+                                system_.around.stream ? system_.around.stream->behind_share : 1});
 }
 
 void Level::add_stage(double weight, bool first, bool freeze_diffusion) {

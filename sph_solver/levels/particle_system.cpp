@@ -61,8 +61,13 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
         const Kind kind = around.stream && p.x() < around.domain.min.x()   ? Kind::inlet
                           : around.stream && p.x() > around.domain.max.x() ? Kind::outlet
                                                                            : Kind::fluid;
-        particles.add(p.x(), p.y(), p.z(), static_cast<float>(stream_velocity(0)),
+        particles.add(p.x(), p.y(), p.z(),
+                      static_cast<float>(stream_velocity(0) * (around.stream ? around.stream->share_at(p.x()) : 1)),
                       setup.state_equation.deviation(setup.rho0, depth_pressure), ledger.next_id++, kind);
+    }
+    for (std::size_t i = 0; i < fluid.velocity.size(); ++i) {
+        const Eigen::Vector3f u = fluid.velocity[i].cast<float>();
+        particles.u[i] = u.x(), particles.v[i] = u.y(), particles.w[i] = u.z();
     }
     if (!around.frame) return;
     const Eigen::Vector3f u = around.frame->velocity_of_rest().cast<float>();

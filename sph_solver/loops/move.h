@@ -37,6 +37,7 @@ struct Move {
     const Trend* trend;  ///< null: there are no guards
     double dt, drifted, drift;
     double stream_before, stream_after;  ///< velocity along x [m/s]
+    double outlet_share;                 ///< of its change, which the water behind the outlet shares in [-]
     bool shifts;
     double shifting_support;  ///< of LevelSetup
     ShiftStep shift_step;
@@ -72,7 +73,7 @@ struct Move {
                 break;
             }
             case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
-            case Kind::outlet: p.u[i] = static_cast<float>(u0 + (stream_after - stream_before)); break;
+            case Kind::outlet: p.u[i] = static_cast<float>(u0 + outlet_share * (stream_after - stream_before)); break;
             case Kind::guard: {
                 const Trend& t = trend[i];
                 add(t.u, t.v, t.w);

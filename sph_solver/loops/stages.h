@@ -34,6 +34,7 @@ struct GoToStage {
     const RateRecord* rate;
     double since;                  ///< [s]
     double stream, stream_before;  ///< its velocity now, and at the step's begin [m/s]
+    double outlet_share;           ///< of Move
 
     void operator()(std::size_t i) const {
         const StageStart& from = start[i];
@@ -50,7 +51,7 @@ struct GoToStage {
                 break;
             case Kind::inlet: p.u[i] = static_cast<float>(stream); break;
             case Kind::outlet:
-                p.u[i] = static_cast<float>(static_cast<double>(from.u) + (stream - stream_before));
+                p.u[i] = static_cast<float>(static_cast<double>(from.u) + outlet_share * (stream - stream_before));
                 break;
             case Kind::guard:
             case Kind::band:

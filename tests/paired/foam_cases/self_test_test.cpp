@@ -19,7 +19,7 @@ TEST_F(SelfTest, AtLeastOneSolverHereIsSoundAndIsTheOneThatIsUsed) {
 // Half of the push in the pipe is then that of a zone: one that does nothing, or the other way round, spoils the answer.
 TEST_F(SelfTest, AZoneDrawsTheFlowAsImplicitEulerStepsSayOrItsLibraryIsLeftOut) {
     OpenFoam used = sound_openfoam();
-    if (used.zone_library.empty()) GTEST_SKIP() << "no library of zones: tools/build_openfoam_solvers.sh builds it";
+    if (used.zone_library.empty()) GTEST_SKIP() << "no library of zones: twinwake setup-openfoam builds it";
     EXPECT_LT(used.self_test_error, 1e-5);
     EXPECT_NE(used.verdict.find("forcing zones absorb waves"), std::string::npos) << used.verdict;
     const fs::path walls = used.wall_library;
@@ -55,7 +55,7 @@ TEST_F(PackagedSolver, IsFaultyAndRefusedByName) {
         const std::string text = e.what();
         EXPECT_NE(text.find("/usr/bin/interFoam"), std::string::npos) << text;
         EXPECT_NE(text.find("FAULTY"), std::string::npos) << text;
-        EXPECT_NE(text.find("tools/build_openfoam_solvers.sh"), std::string::npos) << text;
+        EXPECT_NE(text.find("twinwake setup-openfoam"), std::string::npos) << text;
     }
 }
 

@@ -13,7 +13,7 @@ protected:
         FoamTest::SetUp();
         if (IsSkipped()) return;
         if (sound_openfoam().wall_library.empty())
-            GTEST_SKIP() << "no library of walls: tools/build_openfoam_solvers.sh builds it";
+            GTEST_SKIP() << "no library of walls: twinwake setup-openfoam builds it";
     }
     RunRecord run(const std::string& text, bool let_go) {
         const Scene s = scene(text + "[effects]\nventilation = \"" + (let_go ? "on" : "off") + "\"\n");

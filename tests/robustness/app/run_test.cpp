@@ -55,6 +55,20 @@ TEST_F(Command, SnapshotsHoldParticlesFreeSurfaceAndHullUnderTheirTimes) {
     }
 }
 
+TEST_F(Command, TheLastMomentIsDrawnUnaskedAndOfATwinNot) {
+    write("short.toml", with(planing, "[run]", "[run]\nthreads = 1"));
+    const Outcome o = twinwake({"run", "short.toml", "--method", "sph", "--quiet"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    const fs::path run = folder_ / "runs/short";
+    for (const std::string name : {"particles.hdf", "free_surface.vtp", "hull.vtp"}) {
+        const auto series = nlohmann::json::parse(content(run / "sph/snapshots" / (name + ".series")))["files"];
+        ASSERT_EQ(series.size(), 1u) << name;
+        EXPECT_NEAR(series[0]["time"].get<double>(), 0.02, 1e-3) << name;
+    }
+    for (const auto& twin : fs::directory_iterator(run / "twins"))
+        EXPECT_FALSE(fs::exists(twin.path() / "sph/snapshots")) << twin.path();
+}
+
 TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     write("my column.toml", column);
     const Outcome small = twinwake({"ladder", "my column.toml", "--levels", "2", "--budget", "1 us"});

@@ -91,6 +91,20 @@ TEST(ResolutionPicture, OfOneSizeIsNone) {
     EXPECT_EQ(resolution_picture(std::vector<RunRecord>{run_of(0.2, {})}, {"sph"}), "");
 }
 
+// The zones of a stream are drawn where there is one size too.
+TEST(ResolutionPicture, ShowsWhatLiesBetweenForcingZones) {
+    RunRecord run = run_of(0.2, {});
+    for (const auto& [name, at] : {std::pair{"x_min", -1.0}, {"x_max", 1.0}, {"y_min", 0.0}, {"y_max", 0.5}})
+        run.numbers[std::string("undamped_") + name] = at;
+    const std::string picture = resolution_picture(std::vector<RunRecord>{run}, {"sph"});
+    EXPECT_NE(picture.find("outside the rectangle: forcing zones"), std::string::npos);
+    std::size_t outlines = 0;
+    for (std::size_t at = picture.find("\"outline\""); at != std::string::npos;
+         at = picture.find("\"outline\"", at + 1))
+        ++outlines;
+    EXPECT_EQ(outlines, 2u) << "from the side and from above";
+}
+
 TEST(LevelsTable, HasARowForEverySizeAndNoneForOneSize) {
     Comparison c;
     c.names = {"sph"};

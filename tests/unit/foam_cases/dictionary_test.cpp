@@ -28,7 +28,7 @@ TEST(Dictionary, IsSpelledAsOpenFoamReadsIt) {
 }
 
 TEST(Dictionary, FieldsAndTablesHaveOneLineForEachElement) {
-    const Dictionary field{{"internalField", Value::nonuniform({{0, 0, 0}, {1, -2, 3}})}};
+    const Dictionary field{{"internalField", Value::nonuniform(std::vector<Vec3>{{0, 0, 0}, {1, -2, 3}})}};
     EXPECT_EQ(field.text(),
               "internalField\n"
               "nonuniform List<vector> 2\n(\n(0 0 0)\n(1 -2 3)\n);\n");
@@ -36,7 +36,7 @@ TEST(Dictionary, FieldsAndTablesHaveOneLineForEachElement) {
         foam_list_file("dictionary", "droplets", {Value::sequence({Vec3(0, 0, 1), 0.001}), Value(2)});
     EXPECT_NE(table.find("object          droplets;"), std::string::npos);
     EXPECT_TRUE(table.ends_with("\n2\n(\n(0 0 1) 0.001\n2\n)\n")) << table;
-    EXPECT_THROW(Value::nonuniform({{0, std::nan(""), 0}}), InputError);
+    EXPECT_THROW(Value::nonuniform(std::vector<Vec3>{{0, std::nan(""), 0}}), InputError);
 }
 
 TEST(Dictionary, KeepsTheOrderOfItsKeysAndRefusesOneTwice) {

@@ -63,6 +63,30 @@ TEST(ForcingZonesInInterFoam, AreASourceOfMomentumOfTheReleaseAndItsLibrary) {
     }
 }
 
+// Behind a weir or a gate water of another depth leaves with its own speed: held by zone and outlet where it is slower than
+// its waves, else as it comes. It starts there.
+TEST(ForcingZonesInInterFoam, DrawToTheSpeedOfTheWaterBehind) {
+    Scene scene = channel();
+    scene.zones.downstream = 0.16;
+    scene.water.gravity = 9.81;
+    const OpenFoam com = installation("openfoam.com", "v1912", "/lib/libforcingZones.so");
+    const CasePlan slow = plan_case(scene, com);
+    const std::string source = text_of(slow, "constant/fvOptions");
+    for (const char* part :
+         {"forcingZones\n", "velocity        (0.7 0 0);", "forcingZonesBehind\n", "velocity        (0.875 0 0);"})
+        EXPECT_NE(source.find(part), std::string::npos) << source;
+    EXPECT_NE(text_of(slow, "0.orig/U").find("Umean           0.875;"), std::string::npos) << text_of(slow, "0.orig/U");
+    const std::string fields = text_of(slow, "system/setFieldsDict");
+    EXPECT_NE(fields.find("volVectorFieldValue U (0.875 0 0)"), std::string::npos) << fields;
+    scene.zones.downstream = 0.04;  // 3.5 m/s: the scene has no zone there
+    scene.domain.box.max.x() = scene.domain.undamped.max.x();
+    const CasePlan fast = plan_case(scene, com);
+    EXPECT_EQ(text_of(fast, "0.orig/U").find("outletPhaseMeanVelocity"), std::string::npos);
+    EXPECT_EQ(text_of(fast, "constant/fvOptions").find("forcingZonesBehind"), std::string::npos);
+    scene.zones.downstream = 0;
+    EXPECT_EQ(text_of(plan_case(scene, com), "constant/fvOptions").find("forcingZonesBehind"), std::string::npos);
+}
+
 // Without them the case has no word of them.
 TEST(ForcingZonesInInterFoam, LeaveNothingBehindWhereTheyAreOff) {
     Scene scene = channel();
@@ -84,11 +108,11 @@ TEST(ForcingZonesInInterFoam, AreRefusedWithoutALibraryWithWhatToDo) {
     };
     OpenFoam mended = installation("openfoam.com", "v1912", "");
     mended.solver = "/own/bin/interFoam", mended.bin = "/usr/bin";
-    EXPECT_NE(refusal(mended).find("tools/build_openfoam_solvers.sh .openfoam builds it"), std::string::npos)
-        << refusal(mended);
+    EXPECT_NE(refusal(mended).find("twinwake setup-openfoam builds it:"), std::string::npos) << refusal(mended);
     OpenFoam loaded = installation("openfoam.org", "13", "");
     loaded.solver = "/opt/openfoam13/bin/foamRun", loaded.bin = "/opt/openfoam13/bin";
-    EXPECT_NE(refusal(loaded).find("tools/build_openfoam_walls.sh builds it"), std::string::npos) << refusal(loaded);
+    EXPECT_NE(refusal(loaded).find("twinwake setup-openfoam builds it in the environment"), std::string::npos)
+        << refusal(loaded);
     loaded.version = "11";
     EXPECT_NE(refusal(loaded).find("openfoam.org from 12"), std::string::npos) << refusal(loaded);
     EXPECT_NE(refusal(loaded).find("forcing_zones = \"off\""), std::string::npos) << refusal(loaded);

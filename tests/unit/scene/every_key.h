@@ -43,6 +43,14 @@ inline std::map<std::string, Change> changes() {
                       damped = fixed + "[effects]\nacoustic_damping = \"on\"\n",
                       airy = tank + "[effects]\nair = \"on\"\n", zoned = "[effects]\nforcing_zones = \"on\"\n";
     const std::string gated = with(fixed, "[sph]\n", "[sph]\ngate_point = [0, 0, 0.3]\ngate_normal = [0, 0, 1]\n");
+    const std::string wavy =
+        "[tank]\nmin = [-1.5, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.04\n"
+        "length = 1\n[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n[sampling]\ninterval = 0.02\n"
+        "mean_from = 0.7\n[sph]\nc0 = 100\n";
+    const std::string sluice =
+        "[motion]\nkind = \"stream\"\nspeed = 0.4\nramp = 0.1\n[domain]\nx = [-1, 2]\nz = [-0.4, 0.3]\ndimensions = 2\n"
+        "[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n[sampling]\ninterval = 0.02\n[sph]\nc0 = 100\n"
+        "[[obstacle]]\nmin = [0, -1, -0.3]\nmax = [0.02, 1, 0.2]\n";
     const Surface hull = scene_of(planing).hull->surface;
     write_stl(scratch() / "a.stl", hull);
     write_stl(scratch() / "b.stl", scene_of(with(planing, "20 deg", "15 deg")).hull->surface);
@@ -283,6 +291,14 @@ inline std::map<std::string, Change> changes() {
         {"sph.smagorinsky", set(rough, "sph", "smagorinsky", "0.1", "0.2")},
         {"sph.acoustic_damping", set(damped, "sph", "acoustic_damping", "0.1", "0.2")},
         {"domain.sides", set(fixed + zoned, "domain", "sides", "\"open\"", "\"walls\"")},
+        {"wave.height", replaced(wavy, "height = 0.04", "height = 0.05")},
+        {"wave.length", replaced(wavy, "length = 1\n", "length = 0.9\n")},
+        {"wave.period", replaced(with(wavy, "length = 1\n", "period = 0.8\n"), "period = 0.8", "period = 0.75")},
+        {"wave.direction", set(wavy, "wave", "direction", "0", "\"180 deg\"")},
+        {"wave.theory", set(wavy, "wave", "theory", "\"linear\"", "\"stream_function\"")},
+        {"domain.downstream", set(sluice, "domain", "downstream", "0.061", "0.06")},
+        {"sph.zones",
+         set(with(fixed, "[sph]\n", "[sph]\nlevels = 1\n") + zoned, "sph", "zones", "\"fine\"", "\"coarse\"")},
         {"tank.absorbing", set(tank + zoned, "tank", "absorbing", "\"x\"", "\"y_max\"")},
         {"tank.wave_length", set(tank + zoned, "tank", "wave_length", "0.1", "0.2")},
         {"sph.air_c0", set(airy, "sph", "air_c0", "343", "100")},

@@ -112,8 +112,8 @@ Swung swing(double dp, double fine_from = -1, bool air = false) {
         most = std::max(most, std::abs(theory));
         if (t > 0.7 && before * x < 0) crossings.push_back(before_time + (t - before_time) * before / (before - x));
         for (int n = 0; n < 2; ++n) {
-            const double from = std::max(before_time, begin + n * pi / w),
-                         to = std::min(t, begin + (n + 2) * pi / w), middle = (before_time + t) / 2;
+            const double from = std::max(before_time, begin + n * pi / w), to = std::min(t, begin + (n + 2) * pi / w),
+                         middle = (before_time + t) / 2;
             if (to > from) fundamental[std::size_t(n)] += (to - from) * (before + x) / 2 * std::polar(1.0, -w * middle);
         }
         before = x, before_time = t;

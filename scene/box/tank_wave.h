@@ -1,0 +1,39 @@
+#pragma once
+#include "scene/scene.h"
+
+namespace tw {
+
+/// The wave of [wave] in the tank as the water begins: everywhere but at the end that absorbs it, where its height falls
+/// to nothing as 1 - s^2 (s as in scene/box/forcing_zones.h). With solids in the tank it begins in the zone that makes it
+/// alone, and its front runs from there. The level is moved so that the tank holds as much water as without the wave.
+class TankWave {
+public:
+    explicit TankWave(const Scene& scene);    ///< that has a wave
+    double share(double x) const;             ///< of the wave's height there, 0 to 1
+    double surface(double x) const;           ///< at the start [m]
+    Vec3 velocity(double x, double z) const;  ///< at the start [m/s]
+    /// p / (rho g) at the start [m]; z below the surface.
+    double pressure_head(double x, double z) const;
+
+    /// Where water at rest goes: whole columns are drawn apart and up or pressed together and down, so that no volume
+    /// changes, x0 = integral of (d + eta)/d dx, z + d = (z0 + d) (d + eta)/d.
+    Vec3 moved(const Vec3& at_rest) const;
+
+private:
+    double integral(double x) const;  ///< of the surface from the tank's low end to x, by the table
+
+    const RegularWave& wave_;
+    double low_, high_;         ///< of the tank along x [m]
+    double begin_[2], end_[2];  ///< of the two zones, making first
+    bool in_zone_only_ = false;
+    double level_ = 0;              ///< [m]
+    double step_ = 0;               ///< of the table [m]
+    std::vector<double> integral_;  ///< [m2]
+};
+
+/// Loss of height over a length by the particles' artificial viscosity [-], a fraction: 1 - exp(-2 nu k^2 x / cg) with
+/// nu = alpha c0 h / 8 in two dimensions, / 10 in three (Lamb 348 for the rate in time). Measured waves lose 1.1 to 1.4
+/// times the exponent.
+double loss_by_artificial_viscosity(const Scene& scene, double distance);
+
+}  // namespace tw

@@ -1,0 +1,99 @@
+// What gauges tell of a regular wave: height, crest and trough over whole periods, and the part that comes back.
+#include "compare/metrics/regular_wave.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace tw::test {
+namespace regular_wave_test {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+TEST(SplitWaves, FindsWhatWasPutTogether) {
+    const double k = 2 * pi;
+    const Complex incident = std::polar(0.02, 0.4), reflected = std::polar(0.0007, -1.1);
+    for (const std::vector<double>& x : {std::vector<double>{0.1, 0.33}, std::vector<double>{0, 0.2, 0.6}}) {
+        std::vector<Complex> amplitudes;
+        for (const double at : x)
+            amplitudes.push_back(incident * std::polar(1.0, k * at) + reflected * std::polar(1.0, -k * at));
+        const WaveParts parts = split_waves(x, amplitudes, k);
+        ASSERT_TRUE(parts.apart);
+        EXPECT_NEAR(std::abs(parts.incident - incident), 0, 1e-12);
+        EXPECT_NEAR(std::abs(parts.reflected - reflected), 0, 1e-12);
+        EXPECT_NEAR(parts.misfit, 0, 1e-9);
+    }
+}
+
+TEST(SplitWaves, CannotTellThemApartHalfAWaveLengthFromEachOther) {
+    const std::vector<double> x{0, 0.5, 1};
+    const std::vector<Complex> amplitudes(3, 0.01);
+    EXPECT_FALSE(split_waves(x, amplitudes, 2 * pi).apart);
+}
+
+/// Waves of 1 m and 0.8 s with a second harmonic, and 3 % of the first coming back, at three gauges.
+RunRecord tank(double height, double reflection) {
+    RunRecord r;
+    r.attributes = {{"method", "sph"}, {"state", "finished"}};
+    r.state = "finished";
+    r.numbers = {{"wave_period", 0.8},    {"wave_length", 1}, {"wave_direction", -1}, {"wave_crest", 0.022},
+                 {"wave_trough", -0.018}, {"mean_from", 2},   {"duration", 9}};
+    const std::pair<const char*, double> gauges[] = {{"a", -0.3}, {"b", -0.1}, {"c", 0.3}};
+    Table& table = r.table("height");
+    for (double t = 0; t < 9; t += 0.03) {
+        const std::size_t row = table.append(t);
+        for (const auto& [name, x] : gauges) {
+            const double in = -2 * pi * x - 2 * pi / 0.8 * t, back = 2 * pi * x - 2 * pi / 0.8 * t;
+            table.set(row, name, "m",
+                      height / 2 * std::cos(in) + 0.05 * height * std::cos(2 * in) +
+                          reflection * height / 2 * std::cos(back + 1));
+            r.numbers[std::string("height_x_") + name] = x;
+        }
+    }
+    return r;
+}
+
+TEST(RegularWaveMeasure, GivesHeightsAndReflectionOfARecord) {
+    Comparison c;
+    c.sources = {tank(0.04, 0), tank(0.04, 0.03)};
+    c.names = {"sph", "fvm"};
+    add_regular_wave(c);
+    const Quantity* height = c.find("wave_height:b");
+    ASSERT_TRUE(height);
+    EXPECT_NEAR(height->values[0].value, 0.04, 1e-5);
+    EXPECT_LT(height->values[0].half_width, 1e-5);
+    // 22 mm and -18 mm: a second harmonic of an eighth of the height lifts crest and trough
+    EXPECT_NEAR(c.find("wave_crest:b")->values[0].value, 0.022, 1e-5);
+    EXPECT_NEAR(c.find("wave_trough:b")->values[0].value, -0.018, 1e-5);
+    const Quantity* reflection = c.find("wave_reflection");
+    ASSERT_TRUE(reflection);
+    EXPECT_NEAR(reflection->values[0].value, 0, 1e-6);
+    EXPECT_NEAR(reflection->values[1].value, 3, 0.01);
+    EXPECT_EQ(c.references.size(), 9);
+}
+
+TEST(RegularWaveMeasure, IsAbsentWithoutAWave) {
+    Comparison c;
+    c.sources = {tank(0.04, 0)};
+    c.sources[0].numbers.erase("wave_period");
+    c.names = {"sph"};
+    add_regular_wave(c);
+    EXPECT_TRUE(c.quantities.empty());
+}
+
+TEST(RegularWaveMeasure, SaysWhyThereIsNoValue) {
+    Comparison c;
+    c.sources = {tank(0.04, 0)};
+    c.names = {"sph"};
+    for (const char* gauge : {"a", "b", "c"}) c.sources[0].numbers.erase(std::string("height_x_") + gauge);
+    c.sources[0].numbers["mean_from"] = 8;  // one period is left
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("wave_height:a")->values[0].known);
+    EXPECT_NE(c.find("wave_height:a")->values[0].why_not.find("periods"), std::string::npos);
+    EXPECT_NE(c.find("wave_reflection")->values[0].why_not.find("two gauges"), std::string::npos);
+}
+
+}  // namespace regular_wave_test
+}  // namespace tw::test
