@@ -6,7 +6,6 @@
 #include "first_difference.h"
 #include "program.h"
 #include "record/run_record.h"
-#include "record/spray_table.h"
 #include "test_paths.h"
 
 namespace tw::test {
@@ -48,53 +47,55 @@ void kill_and_resume(const std::string& name, const std::filesystem::path& scene
     EXPECT_EQ(first_difference(a, b), "");
 }
 
+/// A scene of this folder that ends at another time.
+std::string with_duration(const char* file, const std::string& old, const std::string& seconds) {
+    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs" / file);
+    const std::string key = "duration   = ";
+    const std::size_t at = text.find(key + old);
+    EXPECT_NE(at, std::string::npos) << file;
+    return at == std::string::npos ? text : text.replace(at + key.size(), old.size(), seconds);
+}
+std::string small_planing(const std::string& duration) {
+    return with_duration("small_planing.toml", "\"0.4 s\"", "\"" + duration + "\"");
+}
+
 TEST(KillAndResume, CollapsingColumnGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_tank");
-    kill_and_resume("tank", write_small_scene(folder.path() / "scene.toml", 0.6), folder.path());
+    kill_and_resume("tank", write_small_scene(folder.path() / "scene.toml", 0.3), folder.path());
 }
 
 TEST(KillAndResume, HullInAStreamGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_stream");
     const auto scene = folder.path() / "scene.toml";
-    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml",
-                               scene);
+    write_text_atomically(scene, small_planing("0.2 s"));
     kill_and_resume("stream", scene, folder.path());
 }
 
-/// With particles of so many sizes, whose zones go with the hull.
-void kill_and_resume_free_hull(int levels) {
+/// Whose zone goes with it. A free hull among particles of one size: Crash.OfAHullThatIsFreeInAStreamLosesNothing.
+TEST(KillAndResume, AHullFreeAmongTwoSizesGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_free");
     const auto scene = folder.path() / "scene.toml";
-    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
+    std::string text = small_planing("0.18 s");
     const std::string half = "half     = true\n";
     text.insert(text.find(half) + half.size(),
-                "free = [\"heave\", \"pitch\"]\nmass = 40\nlcg = 0.7\nvcg = 0.15\nrelease = 0.1\n");
-    if (levels > 1) {
-        const std::string ahead = "ahead  = \"0.4 m\"";
-        text.replace(text.find(ahead), ahead.size(), "ahead  = \"1.6 m\"");
-        text += "\n[sph]\nlevels = " + std::to_string(levels) + "\nzone = 8\n";
-    }
-    write_text_atomically(scene, text);
+                "free = [\"heave\", \"pitch\"]\nmass = 40\nlcg = 0.7\nvcg = 0.15\nrelease = 0.05\n");
+    const std::string ahead = "ahead  = \"0.4 m\"";
+    text.replace(text.find(ahead), ahead.size(), "ahead  = \"1.6 m\"");
+    write_text_atomically(scene, text + "\n[sph]\nlevels = 2\nzone = 8\n");
     kill_and_resume("free", scene, folder.path());
     const RunRecord whole = read_record(folder.path() / "whole" / "sph" / "record.h5");
     const std::vector<double>& trim = whole.tables.at("hull_motion").find("trim")->values;
     EXPECT_GT(std::abs(trim.back() - trim.front()), 0.01) << "or it was held";
-    EXPECT_EQ(whole.tables.contains("level_1"), levels > 1);
+    EXPECT_TRUE(whole.tables.contains("level_1"));
 }
-
-TEST(KillAndResume, AHullFreeInAStreamGoesOnToTheSameBits) { kill_and_resume_free_hull(1); }
-
-TEST(KillAndResume, AHullFreeAmongTwoSizesGoesOnToTheSameBits) { kill_and_resume_free_hull(2); }
 
 // Three sizes, of which the finest stands round a part of the hull only: the hull's load is that of all of them.
 TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_root");
     const auto scene = folder.path() / "scene.toml";
-    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
+    std::string text = small_planing("0.18 s");
     const std::string ahead = "ahead  = \"0.4 m\"";
     text.replace(text.find(ahead), ahead.size(), "ahead  = \"1.2 m\"");
-    const std::string duration = "duration   = \"0.4 s\"";
-    text.replace(text.find(duration), duration.size(), "duration   = \"0.24 s\"");
     write_text_atomically(scene, text +
                                      "\n[sph]\nlevels = 2\nzone = 8\n"
                                      "[[refine]]\naround = \"spray_root\"\nspacing = 0.025\n");
@@ -105,7 +106,7 @@ TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {
     double by_pairs = 0, by_surface = 0;
     for (std::size_t i = 0; i < forces.time.size(); ++i) {
         const double surface = forces.column("fz_surface", "N").values[i];
-        if (forces.time[i] < 0.12 || std::isnan(surface)) continue;
+        if (forces.time[i] < 0.1 || std::isnan(surface)) continue;
         by_pairs += forces.column("fz", "N").values[i];
         by_surface += surface;
     }
@@ -117,15 +118,15 @@ TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {
 TEST(KillAndResume, ARunThatHasSettledGoesOnToTheSameBits) {
     const ScratchFolder folder("settled");
     const auto scene = folder.path() / "scene.toml";
-    std::string text = read_text(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_planing.toml");
+    std::string text = small_planing("2 s");
     const auto put = [&](const std::string& old, const std::string& now) {
         for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + now.size()))
             text.replace(at, old.size(), now);
     };
     put("\"0.05 m\"", "\"0.0625 m\"");
     put("\"2 m\"", "\"1.25 m\"");
-    put("interval = \"0.05 s\"", "interval = \"0.02 s\"\nmean_from = \"0.9 s\"");
-    put("\"0.4 s\"", "\"2 s\"\nstop = \"settled\"");
+    put("interval = \"0.05 s\"", "interval = \"0.02 s\"\nmean_from = \"0.6 s\"");
+    put("\"2 s\"", "\"2 s\"\nstop = \"settled\"");
     put("checkpoint = \"0.04 s\"", "checkpoint = \"0.5 s\"");
     write_text_atomically(scene, text);
     const auto run = [&](const char* out, const std::vector<std::string>& more) {
@@ -158,42 +159,9 @@ TEST(KillAndResume, ARunThatHasSettledGoesOnToTheSameBits) {
 TEST(KillAndResume, ABodyThatFallsIntoWaterGoesOnToTheSameBits) {
     const ScratchFolder folder("kill_body");
     const auto scene = folder.path() / "scene.toml";
-    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_entry.toml",
-                               scene);
+    // it touches the water after 0.05 s
+    write_text_atomically(scene, with_duration("small_entry.toml", "0.8", "0.3"));
     kill_and_resume("entry", scene, folder.path());
-}
-
-TEST(KillAndResume, ATankThatRollsGoesOnToTheSameBits) {
-    const ScratchFolder folder("kill_tank_that_moves");
-    const auto scene = write_small_scene(folder.path() / "scene.toml", 0.6);
-    std::string text = read_text(scene);
-    const std::string tank = "[tank]\n";
-    text.insert(text.find(tank) + tank.size(),
-                "law = \"sinusoid\"\nabout = [0, 1, 0]\npivot = [0.2, 0, 0.1]\namplitude = \"10 deg\"\nperiod = 1\n"
-                "phase = \"90 deg\"\n");
-    write_text_atomically(scene, text);
-    kill_and_resume("rolling tank", scene, folder.path());
-    const RunRecord whole = read_record(folder.path() / "whole" / "sph" / "record.h5");
-    EXPECT_GT(std::abs(whole.tables.at("tank").find("work")->values.back()), 0) << "or it rested";
-}
-
-/// Two blocks of water in a tank, of which one falls through a gate and is taken out: what is left and what was taken
-/// are all the water at every frame.
-TEST(KillAndResume, ARunThatLosesSprayAtItsGateGoesOnToTheSameBits) {
-    const ScratchFolder folder("kill_spray");
-    const auto scene = folder.path() / "scene.toml";
-    std::filesystem::copy_file(std::filesystem::path(TWINWAKE_SOURCE) / "tests/robustness/runs/small_spray.toml",
-                               scene);
-    kill_and_resume("spray", scene, folder.path());
-    RunRecord run = read_record(folder.path() / "whole" / "sph" / "record.h5");
-    ASSERT_TRUE(run.tables.contains(spray_table));
-    EXPECT_GT(run.table(spray_table).time.size(), 1u);
-    const auto& mass = run.table("samples").column("mass", "kg").values;
-    const auto& taken = run.table("samples").column("spray_mass", "kg").values;
-    EXPECT_EQ(taken.front(), 0);
-    EXPECT_GT(taken.back(), 0.02 * mass.front());
-    for (std::size_t i = 0; i < mass.size(); ++i)
-        EXPECT_NEAR(mass[i] + taken[i], mass.front(), 1e-9 * mass.front()) << i;
 }
 
 TEST(KillAndResume, DamagedCheckpointIsRefusedByName) {
