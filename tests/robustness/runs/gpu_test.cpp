@@ -62,8 +62,8 @@ RunRecord same_table(const std::string& table, const std::vector<std::string>& m
 }
 
 TEST_F(Gpu, MakesTheStepsOfARunWhoseRecordIsThatOfTheEmulatedVariant) {
-    RunRecord record = same_table("forces", {"--duration", "0.12 s"});
-    EXPECT_GT(record.table("forces").time.size(), 20u);
+    RunRecord record = same_table("forces", {"--duration", "0.06 s"});
+    EXPECT_GT(record.table("forces").time.size(), 10u);
 }
 
 /// The files of a run, but for its record, which holds times of the clock.
@@ -226,10 +226,10 @@ TEST_F(Gpu, OfSeveralTheFirstThatCanIsTakenAndNamed) {
 TEST_F(Gpu, LostInTheMiddleFailsTheRunWhichGoesOnWithoutIt) {
     const ScratchFolder folder("gpu_lost");
     setenv("FAKE_CUDA", "lost_after=3000", 1);
-    const Ended lost = run(folder.path(), "run", {"--device", "gpu"});
+    const Ended lost = run(folder.path(), "run", {"--device", "gpu", "--duration", "0.15 s"});
     EXPECT_EQ(lost.status, 3) << lost.output;
     EXPECT_NE(lost.output.find("unspecified launch failure"), std::string::npos) << lost.output;
-    const Ended resumed = run(folder.path(), "run", {"--device", "cpu", "--resume"});
+    const Ended resumed = run(folder.path(), "run", {"--device", "cpu", "--resume", "--duration", "0.15 s"});
     EXPECT_EQ(resumed.status, 0) << resumed.output;
     EXPECT_EQ(read_record(folder.path() / "run/sph/record.h5").state, "finished");
 }
