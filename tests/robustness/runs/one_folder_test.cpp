@@ -9,7 +9,7 @@ namespace one_folder_test {
 
 TEST(OneFolder, SecondRunIsRefusedAndFirstIsUnharmed) {
     const ScratchFolder folder("one_folder");
-    const auto scene = write_small_scene(folder.path() / "scene.toml", 1.0);
+    const auto scene = write_small_scene(folder.path() / "scene.toml", 0.4);
     const auto out = folder.path() / "run";
     Program first({"run", scene.string(), "--no-twins", "--method", "sph", "--out", out.string()}, folder.path());
     ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(out / "sph" / "checkpoint.h5"); }, 60))
