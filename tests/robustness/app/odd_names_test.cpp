@@ -66,7 +66,25 @@ TEST_F(Command, OpenFoamRunsForAUserWhoStandsInAFolderWithBlanks) {
     if (twinwake({"doctor", "-q"}).status != 0) GTEST_SKIP() << "no sound OpenFOAM here";
     stands_in_ = "my runs (1)";
     fs::create_directories(folder_ / stands_in_);
-    write("my runs (1)/a scene.toml", planing);
+    write("my runs (1)/a scene.toml", R"([hull]
+shape = "box"
+length = 0.4
+beam = 0.4
+height = 0.4
+draft = 0.7
+[tank]
+min = [-0.8, -0.01, -1.2]
+max = [0.8, 0.01, 0.6]
+[domain]
+dimensions = 2
+[motion]
+kind = "none"
+[resolution]
+near_hull = 0.1
+spacing = 0.1
+[run]
+duration = 0.04
+)");
     EXPECT_EQ(twinwake({"doctor", "-q"}).status, 0);
     const Outcome o = twinwake({"run", "a scene.toml", "--method", "fvm", "--no-twins", "--threads", "1", "-q"});
     EXPECT_EQ(o.status, 0) << o.err;

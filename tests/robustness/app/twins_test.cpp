@@ -68,7 +68,7 @@ TEST_F(Command, WithoutTwinsEveryFileSaysThatTheDiscretisationErrorIsNotEstimate
 }
 
 TEST_F(Command, ARunStoppedAmongItsTwinsGoesOnThere) {
-    write("column.toml", with(column, "duration = 0.3", "duration = 3"));
+    write("column.toml", with(column, "duration = 0.3", "duration = 1.2"));
     const fs::path twins = folder_ / "runs/column/twins";
     const Started run = start({"run", "column.toml"});
     for (int k = 0; k < 6000 && !fs::exists(twins / "near_hull_28.2843mm/sph/checkpoint.h5"); ++k)
