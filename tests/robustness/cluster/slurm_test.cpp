@@ -116,7 +116,7 @@ protected:
 TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
     const Words ladder{"ladder", "column.toml", "--levels", "3", "--no-fill"};
     // A run that is long enough to lose its node, and a ladder of which one run cannot begin.
-    write("long.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 12\ncheckpoint = 0.2"));
+    write("long.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 5\ncheckpoint = 0.2"));
     const Outcome submitted = twinwake({"submit", "run", "long.toml", "--no-twins", "--out", "lost"});
     ASSERT_EQ(submitted.status, 0) << submitted.err;
     EXPECT_EQ(twinwake({"submit", "run", "long.toml", "--no-twins", "--out", "lost"}).status, 2);  // twice
