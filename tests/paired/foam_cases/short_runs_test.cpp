@@ -193,9 +193,9 @@ speed = "8 m/s"
 [resolution]
 near_hull = "0.08 m"
 [run]
-duration = "0.6 s"
+duration = "0.42 s"
 [sampling]
-mean_from = "0.4 s"
+mean_from = "0.3 s"
 )";
 
 TEST_F(ShortRun, APlaningHullIsLiftedAndItsPressureDragIsLiftTimesTheTangentOfTrim) {
@@ -207,7 +207,7 @@ TEST_F(ShortRun, APlaningHullIsLiftedAndItsPressureDragIsLiftTimesTheTangentOfTr
     EXPECT_EQ(record.attributes.count("mesh_warning"), 0u);
     const Table& f = record.tables.at("forces");
     ASSERT_GT(f.time.size(), 20u);
-    const auto from = static_cast<std::size_t>(std::lower_bound(f.time.begin(), f.time.end(), 0.4) - f.time.begin());
+    const auto from = static_cast<std::size_t>(std::lower_bound(f.time.begin(), f.time.end(), 0.3) - f.time.begin());
     const double lift = mean(*f.find("fz"), from), drag = mean(*f.find("fx_pressure"), from);
     // Fine meshes: 2694 to 2750 N of water on the whole hull; coarse ones 2900 to 3300 N.
     EXPECT_GT(lift, 2500);
