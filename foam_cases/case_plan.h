@@ -88,7 +88,8 @@ struct CasePlan {
     bool momentum_predictor = false;  ///< before them, where water is viscous (viscous_steps.h)
     bool mesh_moves() const { return !bodies.empty(); }
     bool several_bodies() const { return bodies.size() > 1; }
-    /// Whether the record's table of forces counts the load on a solid: on the hull alone, or on all where there is none.
+    /// Whether the record's table of forces counts the load on a solid: on the hull alone, or on all where there is
+    /// none.
     bool counts_load_on(const Solid& solid) const { return solid.is_hull || !scene->hull; }
     /// The only one, or the first of several.
     const MovingBody& moving() const { return bodies.at(0).body; }
@@ -114,8 +115,9 @@ struct CasePlan {
 
     // time
     double write_interval = 0;  ///< [s]; hull pressures (and so the water's force) are sampled at it
-    /// A tank, or a hull held in a stream: written at the step nearest to each write time. Else each is met exactly, for
-    /// which OpenFOAM splits the time between two of them evenly; where that is a few steps only, sampling sets the step.
+    /// A tank, or a hull held in a stream: written at the step nearest to each write time. Else each is met exactly,
+    /// for which OpenFOAM splits the time between two of them evenly; where that is a few steps only, sampling sets the
+    /// step.
     bool writes_at_steps = false;
     int time_precision = 8;     ///< digits in a write time's name
     int raster_every = 1;       ///< water is poured into the raster at every n-th write
@@ -127,8 +129,8 @@ struct CasePlan {
     };
     std::vector<StepCap> step_caps;  ///< of bodies released at rest: steps are no longer than this at first
     double water_speed_limit = 0;    ///< ten times what the scene explains [m/s]; infinite where nothing moves
-    /// Of the air that is pressed out of a gap of one cell, three times over [m/s]: across a gap h that closes with V it
-    /// leaves with V L / 2h, L the length of the largest solid or, without one, of the domain.
+    /// Of the air that is pressed out of a gap of one cell, three times over [m/s]: across a gap h that closes with V
+    /// it leaves with V L / 2h, L the length of the largest solid or, without one, of the domain.
     double air_speed_limit = 0;
 
     // probes

@@ -26,8 +26,8 @@ double breadth(const Hull& hull) { return hull.section ? hull.length : hull.beam
 /// Lowest level whose cell does not exceed `cell`.
 int level_for(double cell, double spacing) { return static_cast<int>(std::ceil(std::log2(spacing / cell) - 1e-9)); }
 
-/// Heave of a free hull, roughly [s]: m w^2 (1 + a) = rho g L B, with as much added mass as mass (a = 1) and a waterplane
-/// as long and wide as the hull; 0 of a hull that is held.
+/// Heave of a free hull, roughly [s]: m w^2 (1 + a) = rho g L B, with as much added mass as mass (a = 1) and a
+/// waterplane as long and wide as the hull; 0 of a hull that is held.
 double heave_period(const Scene& scene) {
     if (!scene.hull_is_free() || !(scene.water.gravity > 0)) return 0;
     const double stiffness = scene.water.density * scene.water.gravity * scene.hull->length * scene.hull->beam;
@@ -39,8 +39,8 @@ double start_of(const Scene& scene) {
     return std::max(scene.motion.ramp, scene.hull_is_free() ? scene.hull->free->motion.release : 0);
 }
 
-/// Settling of a stream after its start [s]. Measured: the force of a planing hull is settled one L/U after the start to
-/// within 2 %. A free hull heaves twice before it is steady.
+/// Settling of a stream after its start [s]. Measured: the force of a planing hull is settled one L/U after the start
+/// to within 2 %. A free hull heaves twice before it is steady.
 double settling(const Scene& scene) {
     return std::max(time_scale(scene), start_up_period(scene)) + 2 * heave_period(scene);
 }

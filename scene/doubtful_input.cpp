@@ -83,8 +83,8 @@ std::optional<double> level_round(const MovingBody& body, const Scene& scene) {
     return level;
 }
 
-/// Measured with particles of 10 mm, a block 0.2 m wide in 0.15 m of water: at 1.2 and 1.5 times what lifts it the water's
-/// sound opened the gap under it and raised it by up to 14 mm, at 1.8 times and more it stayed (decision 032).
+/// Measured with particles of 10 mm, a block 0.2 m wide in 0.15 m of water: at 1.2 and 1.5 times what lifts it the
+/// water's sound opened the gap under it and raised it by up to 14 mm, at 1.8 times and more it stayed (decision 032).
 void doubt_standing(const Scene& scene, std::vector<Finding>& findings) {
     constexpr double held_surely = 2;
     for (const MovingBody& b : scene.bodies) {

@@ -8,8 +8,8 @@ namespace tw {
 
 inline constexpr double width_of_place = 8;  ///< of a refined place around what it is named for, in its own spacings
 
-/// The wake of the scene's hull: behind its middle to the outlet, or to `length` behind its stern, half as wide again as
-/// the hull and down to its draft, and `width` more [m].
+/// The wake of the scene's hull: behind its middle to the outlet, or to `length` behind its stern, half as wide again
+/// as the hull and down to its draft, and `width` more [m].
 Box wake_of(const Scene& scene, double width, std::optional<double> length = {});
 
 /// Whether the particles of the forcing zones are twice as large as those in the box.

@@ -108,8 +108,8 @@ struct Resolution {
     /// Both sizes were multiplied by this. Levels of refinement follow from the sizes without it, so that all scales of
     /// one scene are one family of similar meshes.
     double scale = 1;  ///< [-]
-    /// Particles far away are to have `spacing` too. What there is no room for, which depends on the sizes, is left out;
-    /// the box, which is the same for a family, follows from this alone.
+    /// Particles far away are to have `spacing` too. What there is no room for, which depends on the sizes, is left
+    /// out; the box, which is the same for a family, follows from this alone.
     bool of_particles = false;
 };
 

@@ -20,7 +20,8 @@ struct SphOptions {
     double shifting = 1;                       ///< coefficient [-]; 0: off
     int levels = 1;    ///< sizes of particles, each half the one before; near_hull is the finest
     double zone = 16;  ///< width of the finest level's zone round the hull, in its spacings [-]
-    /// Of the forcing zones of a stream, while the box has levels of its own or one size: fine, or coarse, twice as large.
+    /// Of the forcing zones of a stream, while the box has levels of its own or one size: fine, or coarse, twice as
+    /// large.
     std::string zones = "fine";
     int wake = 0;  ///< largest particles in a hull's wake, over near_hull: a power of two; 0: as they come
     double touch_support = 0.9;  ///< how full the kernel's half towards a wall is when the wall compresses [-]

@@ -29,11 +29,12 @@ namespace {
 
 bool is_mirror(Side side) { return side == Side::slip_wall || side == Side::symmetry; }
 
-/// Clear of the wet hull by half a beam below and beside it (a section: a quarter of its length; at least six spacings),
-/// a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round the whole
-/// section, because the jet under a plate wets it far ahead of still water; one metre of span, as what particles carry.
-/// With several sizes of particles within the zone of those at the hull. Round the whole of a hull that is free: it may
-/// dip all of its length, and moves within the box; as its zone goes with it, the box leaves it some way to go.
+/// Clear of the wet hull by half a beam below and beside it (a section: a quarter of its length; at least six
+/// spacings), a quarter of its length ahead and as far behind as half of that, and open above. In two dimensions round
+/// the whole section, because the jet under a plate wets it far ahead of still water; one metre of span, as what
+/// particles carry. With several sizes of particles within the zone of those at the hull. Round the whole of a hull
+/// that is free: it may dip all of its length, and moves within the box; as its zone goes with it, the box leaves it
+/// some way to go.
 ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const Hull& hull = *scene.hull;
     const double dp = scene.resolution.near_hull;
@@ -44,8 +45,8 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     box.min -= Vec3(std::max(near, 0.25 * hull.length), near, near);
     box.max += Vec3(std::max(near, 0.125 * hull.length), near, 0);
     const double clear = 2 * dp;  // of the domain's sides
-    // How far the zone of a free hull may go before the box is outside: what the hull has from its zone's edge to the six
-    // spacings at which the run ends (bodies/collisions.cpp), less half of one. At most three: chosen, not derived.
+    // How far the zone of a free hull may go before the box is outside: what the hull has from its zone's edge to the
+    // six spacings at which the run ends (bodies/collisions.cpp), less half of one. At most three: chosen, not derived.
     const double way = hull.free ? std::clamp(scene.sph.zone - (6 + 0.5), 0.0, 3.0) * dp : 0;
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the environment of a release other than the distribution's package is loaded: its solver is its vendor's, and
-/// only the libraries are built.
+/// Whether the environment of a release other than the distribution's package is loaded: its solver is its vendor's,
+/// and only the libraries are built.
 bool release_is_loaded() {
     const char* project = std::getenv("WM_PROJECT_DIR");
     return project != nullptr && *project != '\0' && std::strcmp(project, "/usr/share/openfoam") != 0;

@@ -21,8 +21,8 @@ using std::numbers::pi;
 
 constexpr int harmonics = 3, unknowns = 1 + 2 * harmonics;
 
-/// Mean, then cosine and sine of each harmonic, by least squares. Over times that are no whole number of samples a period
-/// the higher harmonics would else leak into the first.
+/// Mean, then cosine and sine of each harmonic, by least squares. Over times that are no whole number of samples a
+/// period the higher harmonics would else leak into the first.
 Eigen::VectorXd fit_harmonics(std::span<const double> t, std::span<const double> values, double omega) {
     Eigen::MatrixXd A(t.size(), unknowns);
     Eigen::VectorXd b(t.size());
@@ -107,8 +107,8 @@ double student(double n) {
 MeanValue mean_of(const std::vector<double>& values, const Periods& periods) {
     if (periods.count < 3) return unknown("fewer than three whole periods were recorded");
     if (values.size() < 3)
-        return unknown(fmt::format("fewer than {} samples a period were recorded; shorten [sampling] interval",
-                                   2 * unknowns));
+        return unknown(
+            fmt::format("fewer than {} samples a period were recorded; shorten [sampling] interval", 2 * unknowns));
     MeanValue m;
     const double n = static_cast<double>(values.size());
     double squares = 0;

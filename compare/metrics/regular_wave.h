@@ -15,8 +15,8 @@ namespace tw {
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);
 
-/// Incident and reflected part of a wave of number k [1/m] from complex amplitudes at places x along its direction,
-/// A = a_i exp(i k x) + a_r exp(-i k x), by least squares (two gauges: Goda & Suzuki 1976; three: Mansard & Funke 1980).
+/// Incident and reflected part of a wave of number k [1/m] from complex amplitudes at places x along its direction, A =
+/// a_i exp(i k x) + a_r exp(-i k x), by least squares (two gauges: Goda & Suzuki 1976; three: Mansard & Funke 1980).
 struct WaveParts {
     std::complex<double> incident = 0, reflected = 0;
     double misfit = 0;   ///< root mean square of what is left, over |a_i| [-]; of two gauges 0

@@ -8,9 +8,9 @@
 namespace tw {
 
 /// Where runs of one scene are how fine: side view and, in three dimensions, plan view of the domain with the hull's
-/// silhouette, still water, every box in which particles or cells are smaller, with its size, and a rectangle outside of
-/// which a stream's forcing zones lie. One <svg> element; empty where all runs have one size everywhere and no zones.
-/// `names`: of the runs, for the legend.
+/// silhouette, still water, every box in which particles or cells are smaller, with its size, and a rectangle outside
+/// of which a stream's forcing zones lie. One <svg> element; empty where all runs have one size everywhere and no
+/// zones. `names`: of the runs, for the legend.
 std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names);
 
 }  // namespace tw

@@ -56,7 +56,7 @@ OpenFOAM case written by twinwake for {1} {2} ({3}).
   touch stop           end a running solver after it has written its state
 
 Still water is z = 0, x points to the stern. Background cells {4:.6g} m, finest cells {5:.6g} m.
-{6}{7}
+{6}{7}{9}
 postProcessing/forces      water and air together on the hull, in a tank without one on all solids{8}, every step
 postProcessing/hullSurface pressure and water fraction on the hull at the write times (ParaView opens the .vtp files);
                            bodySurfaces: the same of each other solid
@@ -69,7 +69,9 @@ compression correction.
         p.viscous ? (p.turbulent ? "Viscous and turbulent: k-omega SST with wall functions.\n" : "Viscous, laminar.\n")
                   : "Slip on all solids: the counterpart of an SPH run without physical viscosity.\n",
         p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
-        p.scene->hull && p.scene->hull->half ? " (half model)" : "");
+        p.scene->hull && p.scene->hull->half ? " (half model)" : "",
+        p.scene->wave ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
+                      : "");
 }
 
 }  // namespace tw

@@ -62,7 +62,7 @@ class forcingZones : public Source {
             zones[i].lookup("begin") >> zone.begin;
             zones[i].lookup("end") >> zone.end;
             zones[i].lookup("strength") >> zone.strength;
-            zone.makesWave = zones[i].found("makesWave");
+            zone.makesWave = zones[i].found("makesWave") && dict.found("wave");
         }
         if (dict.found("wave")) takeWave(dict.subDict("wave"));
     }

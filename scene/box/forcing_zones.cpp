@@ -44,14 +44,15 @@ Running behind_of(const Scene& scene) {
     return tail ? Running{tail->speed, tail->depth, tail->speed / scene.motion.speed} : ahead_of(scene);
 }
 
-/// The wave for which a zone is made; above the critical speed, where they are there on demand only, that of deep water.
+/// The wave for which a zone is made; above the critical speed, where they are there on demand only, that of deep
+/// water.
 double wave_of(const Running& water, double gravity) {
     return standing_wave_length(water.speed, gravity, water.depth)
         .value_or(2 * pi * water.speed * water.speed / gravity);
 }
 
-/// Whether an end has a zone: not where water comes or goes above the critical speed to another depth, and none is asked
-/// for.
+/// Whether an end has a zone: not where water comes or goes above the critical speed to another depth, and none is
+/// asked for.
 bool has_zone(const Running& water, const Scene& scene, double gravity) {
     return !tailwater(scene) || standing_wave_length(water.speed, gravity, water.depth);
 }

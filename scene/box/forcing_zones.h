@@ -29,14 +29,14 @@ struct ForcingZones {
     std::string why = {};                   ///< which wave, and what made a zone shorter or longer than it asks for
 };
 
-/// The zones of a scene whose effect `forcing_zones` is on; none else. Widths and strengths from the reflection of exact
-/// linear waves in two dimensions (docs/decisions/082-zones-and-ends.md).
+/// The zones of a scene whose effect `forcing_zones` is on; none else. Widths and strengths from the reflection of
+/// exact linear waves in two dimensions (docs/decisions/082-zones-and-ends.md).
 ///
-/// In a stream they lie outside the box that was asked for (`Domain::undamped`) and are made for the wave that stands in
-/// it (at the outlet in the water behind, tailwater.h), of length lambda and frequency g/U in the water: gamma = g/U over lambda ahead, 1.5 lambda behind, and lambda/2
-/// beside a hull in three dimensions, unless [domain] sides = "walls". Widths follow lambda up to 1.5 lengths of a hull in
-/// three dimensions, or half of a channel, and are at least eight of the largest spacings; gamma is at most that of deep
-/// water's wave of that length.
+/// In a stream they lie outside the box that was asked for (`Domain::undamped`) and are made for the wave that stands
+/// in it (at the outlet in the water behind, tailwater.h), of length lambda and frequency g/U in the water: gamma = g/U
+/// over lambda ahead, 1.5 lambda behind, and lambda/2 beside a hull in three dimensions, unless [domain] sides =
+/// "walls". Widths follow lambda up to 1.5 lengths of a hull in three dimensions, or half of a channel, and are at
+/// least eight of the largest spacings; gamma is at most that of deep water's wave of that length.
 ///
 /// In a tank they lie inside, along the walls of [tank] absorbing, one wave length wide for the longest wave of a body
 /// that oscillates ([tank] wave_length), but clear of prescribed bodies and over at most half of the tank, with gamma =
@@ -44,15 +44,16 @@ struct ForcingZones {
 ///
 /// A tank with a [wave] has two, at the ends that it comes from and runs to, each one wave length wide. The wall behind
 /// the zone that makes it sends out a wave of the same height against it, which crosses the zone once and is left with
-/// exp(-gamma L / (6 cg)) of its height: 4 % in deep water at 1.5 omega, 10 % at k h = 1. So that zone is twice as strong.
+/// exp(-gamma L / (6 cg)) of its height: 4 % in deep water at 1.5 omega, 10 % at k h = 1. So that zone is twice as
+/// strong.
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.
 std::optional<double> standing_wave_length(double speed, double gravity, double depth);
 
 /// Whether zones are on unless the scene says otherwise: in every stream in which a wave can stand, but for planing
-/// hulls (length Froude number 1 and more), which leave their waves behind. Its domain has to be known, its weight may be
-/// off: `gravity` [m/s2].
+/// hulls (length Froude number 1 and more), which leave their waves behind. Its domain has to be known, its weight may
+/// be off: `gravity` [m/s2].
 bool has_zones_by_default(const Scene& scene, double gravity);
 
 /// How far the zones of a stream reach beyond its box [m].

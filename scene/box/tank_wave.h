@@ -3,9 +3,10 @@
 
 namespace tw {
 
-/// The wave of [wave] in the tank as the water begins: everywhere but at the end that absorbs it, where its height falls
-/// to nothing as 1 - s^2 (s as in scene/box/forcing_zones.h). With solids in the tank it begins in the zone that makes it
-/// alone, and its front runs from there. The level is moved so that the tank holds as much water as without the wave.
+/// The wave of [wave] in the tank as the water begins: everywhere but at the end that absorbs it, where its height
+/// falls to nothing as 1 - s^2 (s as in scene/box/forcing_zones.h). With solids in the tank it begins in the zone that
+/// makes it alone, and its front runs from there. The level is moved so that the tank holds as much water as without
+/// the wave.
 class TankWave {
 public:
     explicit TankWave(const Scene& scene);    ///< that has a wave

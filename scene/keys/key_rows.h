@@ -3,8 +3,8 @@
 
 namespace tw {
 
-// The rows of each section (scene/keys/keys.h), without its name: those of what stands in the water, and those of the water
-// and of the run.
+// The rows of each section (scene/keys/keys.h), without its name: those of what stands in the water, and those of the
+// water and of the run.
 
 std::vector<SceneKey> hull_keys();
 std::vector<SceneKey> tank_keys();

@@ -28,8 +28,8 @@ struct Root {
     bool moves = false;
 };
 
-/// What of the hull, with these bounds, the water may reach: of a dry bow what it may rise to, or of a hull that is free
-/// dip to.
+/// What of the hull, with these bounds, the water may reach: of a dry bow what it may rise to, or of a hull that is
+/// free dip to.
 Box reached_hull(const Scene& scene, Box hull) {
     const double ahead = (scene.hull->free ? 0.5 : 0.25) * scene.hull->length;
     if (!scene.hull->section && scene.motion.kind == Motion::Kind::stream)
@@ -325,8 +325,7 @@ std::vector<Zone> zones_at_start(const Scene& scene, double most) {
                              ": this scene has no forcing zones outside its box; remove this key");
     } else if (solids.empty() || (stream && !scene.hull))
         refuse("several sizes of particles stand round a hull, an obstacle or a body; leave it out");
-    if (const int fit = zones_that_fit(scene, solids, boxes_round(solids, scene));
-        fit + 1 < scene.sph.levels)
+    if (const int fit = zones_that_fit(scene, solids, boxes_round(solids, scene)); fit + 1 < scene.sph.levels)
         refuse(stream
                    ? fmt::format("particles of {:.4g} m do not fit between the inlet and the hull; at most {} here, "
                                  "or a longer domain ahead",

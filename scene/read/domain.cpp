@@ -15,8 +15,8 @@ namespace tw {
 namespace {
 
 /// A face that the user gave goes to the nearest multiple of the largest particle spacing, one that follows from the
-/// hull outward to a multiple of the largest cell too. Still water, z = 0, is a multiple of both. A floor that was given
-/// stays where it is: particles and cells are made to fit the depth.
+/// hull outward to a multiple of the largest cell too. Still water, z = 0, is a multiple of both. A floor that was
+/// given stays where it is: particles and cells are made to fit the depth.
 double snapped_face(double face, bool given, bool high, const Scene& scene) {
     const Resolution& r = scene.resolution;
     const double dp = largest_particles(scene);

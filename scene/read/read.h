@@ -44,10 +44,11 @@ DomainOptions read_domain(SceneSection& s);
 std::optional<Box> read_tank(SceneSection& s);  ///< nothing when there is no [tank]
 /// Before `read_tank`: the motion of a tank that has one.
 std::optional<MovingFrame> read_tank_motion(SceneSection& s, int dimensions);
-/// An angle at which something stands beyond which a number without a unit is asked back: half a radian is 28.6 degrees.
+/// An angle at which something stands beyond which a number without a unit is asked back: half a radian is 28.6
+/// degrees.
 inline constexpr double largest_plain_angle = 15 * degree;  ///< [rad]
-/// "0.5 is 0.5 rad = 28.6 degrees, more than 15; expected \"0.5 deg\", or \"28.6 deg\" where that is meant"; empty where the
-/// angle has a unit or is smaller.
+/// "0.5 is 0.5 rad = 28.6 degrees, more than 15; expected \"0.5 deg\", or \"28.6 deg\" where that is meant"; empty
+/// where the angle has a unit or is smaller.
 std::string why_angle_is_asked_back(const SceneSection& s, const std::string& key, double angle);
 /// The keys from `law` on, of a body or a tank. `flat`: in the plane y = 0.
 MotionLaw read_motion_law(SceneSection& s, bool flat);

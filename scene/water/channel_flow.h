@@ -12,8 +12,8 @@ namespace tw {
 double critical_depth(double q, double gravity);
 /// Height of the energy line above the bed: h + U^2 / 2 g [m].
 double specific_energy(double depth, double speed, double gravity);
-/// Behind a hydraulic jump in a stream of Froude number F > 1, h2 / h1 = (sqrt(1 + 8 F^2) - 1) / 2; the same formula gives
-/// the depth before a jump from that behind it [m].
+/// Behind a hydraulic jump in a stream of Froude number F > 1, h2 / h1 = (sqrt(1 + 8 F^2) - 1) / 2; the same formula
+/// gives the depth before a jump from that behind it [m].
 double conjugate_depth(double depth, double speed, double gravity);
 /// What a gate that is open by `opening` lets through at the energy E ahead of it, with its contraction [m2/s]:
 ///

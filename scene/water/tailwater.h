@@ -10,8 +10,8 @@ namespace tw {
 ///
 ///   U_d h_d = U h
 ///
-/// Below the critical speed U_d^2 = g h_d the outlet draws to U_d, so that the depth is held; above it the water leaves as
-/// it comes.
+/// Below the critical speed U_d^2 = g h_d the outlet draws to U_d, so that the depth is held; above it the water leaves
+/// as it comes.
 struct Tailwater {
     double depth = 0;      ///< h_d [m]
     double speed = 0;      ///< U_d [m/s]
@@ -19,12 +19,12 @@ struct Tailwater {
     double begins = 0;     ///< at the start the water is as deep as that behind this x [m]
     bool is_slow = false;  ///< below the critical speed
 };
-/// None: the stream is as deep behind as ahead. `begins`: the middle of what stands highest on the bed or hangs into the
-/// water, or that of the box. Its domain has to be known, its weight may be off.
+/// None: the stream is as deep behind as ahead. `begins`: the middle of what stands highest on the bed or hangs into
+/// the water, or that of the box. Its domain has to be known, its weight may be off.
 std::optional<Tailwater> tailwater(const Scene& scene);
 
-/// Throws InputError where [domain] downstream stands in a scene that has no such water, or where its surface lies beyond
-/// the box.
+/// Throws InputError where [domain] downstream stands in a scene that has no such water, or where its surface lies
+/// beyond the box.
 void check_tailwater(const Scene& scene);
 
 }  // namespace tw

@@ -16,8 +16,8 @@ struct Stream {
     double speed = 0;   ///< [m/s]
     double ramp = 0;    ///< [s]; 0: at full speed from the start
     double buffer = 0;  ///< length of both buffers [m], a whole number of spacings
-    /// Behind this x [m] the water is of another depth (scene/water/tailwater.h), and starts with this share of the speed and of
-    /// the acceleration, so that as much leaves as enters.
+    /// Behind this x [m] the water is of another depth (scene/water/tailwater.h), and starts with this share of the
+    /// speed and of the acceleration, so that as much leaves as enters.
     double behind_from = std::numeric_limits<double>::infinity(), behind_share = 1;
 
     double share_at(double x) const { return x > behind_from ? behind_share : 1; }

@@ -1,6 +1,6 @@
 #pragma once
-// What a device does for effects: their loops and sweeps as kernels, a line each. Bodies and views stand beside the effects.
-// clang-format off
+// What a device does for effects: their loops and sweeps as kernels, a line each. Bodies and views stand beside the
+// effects. clang-format off
 
 // Sweeps over groups and their neighbours: sweep(NAME, VIEW).
 #define TW_EFFECT_SWEEPS(sweep)                     \

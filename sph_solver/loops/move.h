@@ -20,8 +20,8 @@ struct MovedExtremes {
     void note_broken(std::size_t i) { broken = true, fastest = i; }
 };
 
-/// The last act of a step, of each particle by itself: it is kicked for the time `dt`, and moves for `drift`; `drifted` of
-/// that it has moved before [s].
+/// The last act of a step, of each particle by itself: it is kicked for the time `dt`, and moves for `drift`; `drifted`
+/// of that it has moved before [s].
 struct Move {
     /// A guard is shifted only where it has this share of the coarser level's kernel support. Where less of it is there
     /// the guards end within reach, and shifting would spread them outwards, because it takes the end for a void: the

@@ -16,7 +16,8 @@ TEST_F(SelfTest, AtLeastOneSolverHereIsSoundAndIsTheOneThatIsUsed) {
     EXPECT_FALSE(used.version.empty());
 }
 
-// Half of the push in the pipe is then that of a zone: one that does nothing, or the other way round, spoils the answer.
+// Half of the push in the pipe is then that of a zone: one that does nothing, or the other way round, spoils the
+// answer.
 TEST_F(SelfTest, AZoneDrawsTheFlowAsImplicitEulerStepsSayOrItsLibraryIsLeftOut) {
     OpenFoam used = sound_openfoam();
     if (used.zone_library.empty()) GTEST_SKIP() << "no library of zones: twinwake setup-openfoam builds it";

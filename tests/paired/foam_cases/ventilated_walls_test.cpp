@@ -30,9 +30,9 @@ double at(const Table& t, const char* column, double time) {
     return std::lerp(v[next - 1], v[next], (time - t.time[next - 1]) / (t.time[next] - t.time[next - 1]));
 }
 
-// A cylinder of the water's density, 0.11 m, enters at 2.955 m/s. By boundary elements of our own, whose water leaves the
-// cylinder at 60 degrees from the nose, it is 0.105 m deep after 0.05 s and 0.187 m after 0.1 s (good to 2 %; leaving at
-// 70 degrees changes them by less than 3 %).
+// A cylinder of the water's density, 0.11 m, enters at 2.955 m/s. By boundary elements of our own, whose water leaves
+// the cylinder at 60 degrees from the nose, it is 0.105 m deep after 0.05 s and 0.187 m after 0.1 s (good to 2 %;
+// leaving at 70 degrees changes them by less than 3 %).
 TEST_F(VentilatedWalls, ACylinderEntersAsDeepAsPotentialFlowWithAFreeSheetHasIt) {
     const std::string entry = body_in_tank(R"(["-0.7 m", 0, "-0.5 m"])", R"(["0.7 m", "20 mm", "0.3 m"])", R"(
 name = "cylinder"

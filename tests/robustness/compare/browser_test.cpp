@@ -1,5 +1,5 @@
-// The report in a real browser (Chromium, where it is installed): its scripts are allowed to run, draw plots and view and
-// complain of nothing. In a build without npm there are none.
+// The report in a real browser (Chromium, where it is installed): its scripts are allowed to run, draw plots and view
+// and complain of nothing. In a build without npm there are none.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,8 +19,8 @@ namespace browser_test {
 
 bool installed() { return std::system("command -v chromium > /dev/null 2>&1") == 0; }
 
-/// The page after its script has run, as markup, and what the browser logged of it. `page`: a path without quotes. `ms`:
-/// after this time of the page's own clock, which stands still while a script runs.
+/// The page after its script has run, as markup, and what the browser logged of it. `page`: a path without quotes.
+/// `ms`: after this time of the page's own clock, which stands still while a script runs.
 std::pair<std::string, std::string> opened(const std::filesystem::path& page, const std::filesystem::path& profile,
                                            int ms) {
     const std::filesystem::path log = profile.string() + ".log";
@@ -112,8 +112,8 @@ std::string at_the_view(const std::string& more) {
            more + "}, 300));";
 }
 
-// Offline and under the page's own policy, when it comes near; and whether colours of the pressure scale, which no height
-// has, are in the picture.
+// Offline and under the page's own policy, when it comes near; and whether colours of the pressure scale, which no
+// height has, are in the picture.
 TEST(Browser, TheReportsViewRunsOfflineAndColoursTheHullByPressureWhereThereIsOne) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
     if (!*view3d_script) GTEST_SKIP() << "a build without npm";
@@ -190,8 +190,8 @@ TEST(Browser, TheFirstScreenHoldsAnswerPicturesAndTrust) {
     }
 }
 
-// Which of its values each curve has at the pointer, in the whole plot, in a part of it, and in the whole again; then what
-// the keys say to who does not see it.
+// Which of its values each curve has at the pointer, in the whole plot, in a part of it, and in the whole again; then
+// what the keys say to who does not see it.
 TEST(Browser, PlotsTellTheirValuesAndZoom) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
     if (!*plots_script) GTEST_SKIP() << "a build without npm";
@@ -256,8 +256,8 @@ TEST(Browser, PlotsTellTheirValuesAndZoom) {
     EXPECT_EQ(log.find("Content Security Policy"), std::string::npos) << log;
 }
 
-// The labels along x of a plot, in parts of it of many widths: equal steps on the screen are equal steps of the numbers,
-// which labels with too few digits are not (0, 0.03, 0.05, 0.08 for 0.025, 0.05, 0.075).
+// The labels along x of a plot, in parts of it of many widths: equal steps on the screen are equal steps of the
+// numbers, which labels with too few digits are not (0, 0.03, 0.05, 0.08 for 0.025, 0.05, 0.075).
 TEST(Browser, TheTicksOfPlotsSayWhereTheyStand) {
     if (!installed()) GTEST_SKIP() << "no chromium here";
     if (!*plots_script) GTEST_SKIP() << "a build without npm";

@@ -63,8 +63,8 @@ TEST(ForcingZonesInInterFoam, AreASourceOfMomentumOfTheReleaseAndItsLibrary) {
     }
 }
 
-// Behind a weir or a gate water of another depth leaves with its own speed: held by zone and outlet where it is slower than
-// its waves, else as it comes. It starts there.
+// Behind a weir or a gate water of another depth leaves with its own speed: held by zone and outlet where it is slower
+// than its waves, else as it comes. It starts there.
 TEST(ForcingZonesInInterFoam, DrawToTheSpeedOfTheWaterBehind) {
     Scene scene = channel();
     scene.zones.downstream = 0.16;
@@ -131,7 +131,8 @@ TEST(ForcingZonesInInterFoam, StandBesideTheMotionOfATank) {
     EXPECT_EQ(std::ranges::count(files, "constant/fvOptions", &CaseFile::path), 1);
 }
 
-// What was asked for keeps its cells; a zone has less than half of those that it would have, and begins with one as long.
+// What was asked for keeps its cells; a zone has less than half of those that it would have, and begins with one as
+// long.
 TEST(ForcingZonesInInterFoam, HaveCellsThatGrowOutwards) {
     const Scene scene = channel();
     const AxisCells with = axis_with_zones(scene, 0, 0.01, {}), without = split_axis(-2, 2.5, 0.01, {});

@@ -124,7 +124,8 @@ TEST(Tailwater, IsRefusedWhereNothingHoldsIt) {
     EXPECT_NE(at.find("scene.toml:9:14: [domain] downstream"), std::string::npos) << at;
 }
 
-// Over a bump that is too high, or under a gate that is too low, the water does not pass at the depth with which it comes.
+// Over a bump that is too high, or under a gate that is too low, the water does not pass at the depth with which it
+// comes.
 TEST(ChannelFlow, IsWarnedOfWhereItCannotBeWhatTheSceneSays) {
     const auto bump = [](const char* top) { return box("bump", "-0.4, -1, -0.2", std::string("0.4, 1, ") + top); };
     // E = 0.225 m, 1.5 h_c = 0.189 m: up to 36 mm

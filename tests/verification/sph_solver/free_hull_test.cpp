@@ -51,8 +51,8 @@ double mean_between(const RunRecord& r, const char* name, double from, double to
 
 double mean_from(const RunRecord& r, const char* name, double from) { return mean_between(r, name, from, 1e300); }
 
-/// What a column swings round: its mean between two times under a bell, sin^2, over two swings or more. In a plain mean a
-/// swing that the window cuts off counts as much as a whole one.
+/// What a column swings round: its mean between two times under a bell, sin^2, over two swings or more. In a plain mean
+/// a swing that the window cuts off counts as much as a whole one.
 double swings_round(const RunRecord& r, const char* name, double from, double to) {
     const Table& t = r.tables.at(hull_motion_table);
     double sum = 0, weight = 0;
@@ -65,8 +65,9 @@ double swings_round(const RunRecord& r, const char* name, double from, double to
     return sum / weight;
 }
 
-/// A box 0.4 m long and 0.2 m high as heavy as 0.1 m of draft, its mass 8 mm aft of its middle: it floats with its bow up
-/// by 2 degrees. It starts level, and the stream is so slow that its dynamic pressure is below a hundredth of the draft.
+/// A box 0.4 m long and 0.2 m high as heavy as 0.1 m of draft, its mass 8 mm aft of its middle: it floats with its bow
+/// up by 2 degrees. It starts level, and the stream is so slow that its dynamic pressure is below a hundredth of the
+/// draft.
 std::string box_in_a_slow_stream(const std::string& spacing, double mass, double duration) {
     return fmt::format(R"(
 [hull]
@@ -105,8 +106,8 @@ TEST(FreeHull, InASlowStreamSwingsRoundArchimedesDraftAndTrim) {
     ASSERT_EQ(r.state, "finished") << r.reason;
     ASSERT_GT(r.numbers.at("rest_trim_deg"), 1.5);
     const auto middle = [&](const char* name) { return swings_round(r, name, 1, 3); };
-    // Found with five variants of the pair loops: trim -2.9 % with a standard deviation of 0.4 % (at 0.02 m/s +0.8 %: the
-    // stream's own pressure takes it down), z +0.6 +- 0.05 % of the draft, draft at the transom -1.1 +- 0.06 %.
+    // Found with five variants of the pair loops: trim -2.9 % with a standard deviation of 0.4 % (at 0.02 m/s +0.8 %:
+    // the stream's own pressure takes it down), z +0.6 +- 0.05 % of the draft, draft at the transom -1.1 +- 0.06 %.
     EXPECT_NEAR(middle("trim") / r.numbers.at("rest_trim_deg"), 1, 0.06);
     EXPECT_NEAR(middle("z"), r.numbers.at("rest_z"), 0.015 * 0.1);
     EXPECT_NEAR(middle("transom_draft"), r.numbers.at("rest_transom_draft"), 0.02 * 0.1);

@@ -18,8 +18,8 @@ struct Found {
     double ahead = 0;   ///< depth before it [m]
 };
 
-/// Mean depths over the third second, 0.4 m from both ends of a channel of 3 m with the jump in the middle at the start;
-/// `behind`: depth that the zone at the outlet, 0.5 m long, is to hold.
+/// Mean depths over the third second, 0.4 m from both ends of a channel of 3 m with the jump in the middle at the
+/// start; `behind`: depth that the zone at the outlet, 0.5 m long, is to hold.
 Found jump(double behind) {
     SimulationSetup s;
     s.dimensions = 2;
@@ -51,8 +51,8 @@ Found jump(double behind) {
     return {each * sum.behind, each * sum.ahead};
 }
 
-// h_2 / h_1 = (sqrt(1 + 8 F^2) - 1) / 2 = 3.071 from momentum and continuity. With that depth behind it the jump stays where
-// it is; with another it runs, out of the channel where the water behind is a third too low.
+// h_2 / h_1 = (sqrt(1 + 8 F^2) - 1) / 2 = 3.071 from momentum and continuity. With that depth behind it the jump stays
+// where it is; with another it runs, out of the channel where the water behind is a third too low.
 TEST(HydraulicJump, StandsWhereTheWaterBehindHasItsConjugateDepth) {
     const double conjugate = ahead * (std::sqrt(1 + 8 * 2.5 * 2.5) - 1) / 2;
     const Found stands = jump(conjugate), runs = jump(conjugate / 1.5);

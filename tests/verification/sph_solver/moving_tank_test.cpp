@@ -139,16 +139,17 @@ TEST(MovingTank, SwingsAsLinearTheorySays) {
     EXPECT_LT(found[1].history, std::min(0.05, found[0].history));
 }
 
-/// The force of the frame acts on all sizes of particles, and the edge between them, in the middle of the tank where the
-/// water goes to and fro most, lets the swings through. The bound of the history is that of the larger size, and the 5 %
-/// of a gravity wave that an edge reflects on its way out of the smaller one (docs/results/levels_waves.md).
+/// The force of the frame acts on all sizes of particles, and the edge between them, in the middle of the tank where
+/// the water goes to and fro most, lets the swings through. The bound of the history is that of the larger size, and
+/// the 5 % of a gravity wave that an edge reflects on its way out of the smaller one (docs/results/levels_waves.md).
 TEST(MovingTank, SwingsAsLinearTheorySaysWithTwoSizesOfParticles) {
     const Swung found = swing(0.0125, 0);
     std::printf("two sizes: frequency - 1 %.2f %%, of the first swing and a half %.2f %%, centre of mass %.2f %%\n",
                 100 * (found.frequency - 1), 100 * (found.early - 1), 100 * found.history);
-    // Judged on the first swing and a half: 1.1 to 1.6 % with six variants of the pair loops. Later ones have half of linear
-    // theory's height and another one with each variant: all crossings together give 0.2 to 3.3 %. The bound is the 1 % of
-    // one size and half of what the reflected 5 % could do, if they moved the phases of both windows by 0.05 apart.
+    // Judged on the first swing and a half: 1.1 to 1.6 % with six variants of the pair loops. Later ones have half of
+    // linear theory's height and another one with each variant: all crossings together give 0.2 to 3.3 %. The bound is
+    // the 1 % of one size and half of what the reflected 5 % could do, if they moved the phases of both windows by 0.05
+    // apart.
     EXPECT_LT(std::abs(found.early - 1), 0.01 + 0.05 / pi);
     EXPECT_LT(found.history, 0.07 + 0.05);
 }
@@ -288,9 +289,9 @@ TEST(MovingTank, ThatHeavesLeavesABodyAfloatAtItsDraft) {
     EXPECT_GT(weight / (mass * g * run.time()), 1.2);
 }
 
-/// In a full tank that sways the water goes with it, and so does a body as dense as water. One of half that density runs
-/// ahead by (1 - 1/2) / (1/2 + C) of the way, C the added mass over that of the water in its place: 1.19 of a square in
-/// open water, where that is 0.3, and more between walls.
+/// In a full tank that sways the water goes with it, and so does a body as dense as water. One of half that density
+/// runs ahead by (1 - 1/2) / (1/2 + C) of the way, C the added mass over that of the water in its place: 1.19 of a
+/// square in open water, where that is 0.3, and more between walls.
 TEST(MovingTank, CarriesABodyAsDenseAsItsWater) {
     const auto way = [](double density) {
         SimulationSetup s = tank(0.02, 0.3, 0.4, 0, 20);
