@@ -8,6 +8,9 @@ namespace tw {
 
 namespace {
 
+/// Sums over particles scatter about 1 in full water. Cut off at 1 they would lower the level by half of the scatter.
+constexpr double most_share = 1.1;
+
 /// What solids leave of the line.
 std::vector<Stretch> gaps_of(const Stretch& line, const std::vector<Stretch>& solid, double narrowest) {
     std::vector<Stretch> gaps;
@@ -44,7 +47,7 @@ Filled water_in(const Stretch& gap, const std::vector<GaugePart>& parts) {
     for (std::size_t i = 0; i < within.size(); ++i) {
         const double share = std::isfinite(within[i].water) ? within[i].water : nearest_known(i);
         filled.under_top = std::clamp(share, 0.0, 1.0);
-        filled.height += filled.under_top * within[i].at.length();
+        filled.height += std::clamp(share, 0.0, most_share) * within[i].at.length();
     }
     return filled;
 }

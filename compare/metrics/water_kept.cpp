@@ -123,7 +123,7 @@ std::optional<Departure> sunk_below_rest(const RunRecord& record) {
 }
 
 std::optional<Departure> motion_at_rest(const RunRecord& record) {
-    if (has_moving_bodies(record)) return {};
+    if (has_moving_bodies(record) || number_of(record, "wave_period", 0) > 0) return {};
     const std::optional<TankWater> water = water_of_tank_at_rest(record);
     if (!water || std::abs(water->centre[0] - water->lowest[0]) > at_rest_within * water->above_floor(0)) return {};
     std::optional<Departure> worst;

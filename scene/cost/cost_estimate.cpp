@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <thread>
 
@@ -56,6 +57,9 @@ double cores(const Scene& scene) {
 
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
+    if (scene.wave)  // of the water in its crest
+        return std::numbers::pi * scene.wave->height / scene.wave->period_in_water() /
+               std::tanh(scene.wave->k() * scene.wave->depth);
     return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
 }
 

@@ -163,7 +163,7 @@ Rows sampling_keys() {
                     "are sampled more often."},
         {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::mean_from),
-         .fallback = "ramp + L/U or 8 pi U/g, the longer, and two heaves of a free hull; 5 sqrt(H/g) for a hull in still water; none in a tank without a hull",
+         .fallback = "ramp + L/U or 8 pi U/g, the longer, and two heaves of a free hull; 5 sqrt(H/g) for a hull in still water; in a tank with a wave three of its periods, and with solids in it also the wave's way to the other zone; none in other tanks without a hull",
          .meaning = "Settled means do not begin before this time; in a tank without a hull nor do the largest heights of "
                     "splash."},
         {.name = "snapshots", .unit = "s", .range = not_negative,

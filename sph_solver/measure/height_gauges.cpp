@@ -33,6 +33,7 @@ HeightGauges::HeightGauges(const Scene& scene, const SimulationSetup& setup)
     : scene_(scene),
       line_{setup.domain.min.z(), setup.domain.max.z()},
       step_(setup.dp / 2),
+      stiffness_(setup.at_rest ? HUGE_VAL : setup.rho0 * setup.state_equation.c0 * setup.state_equation.c0),
       per_gauge_(static_cast<std::size_t>(std::ceil(line_.length() / step_))) {
     for (const HeightProbe& g : scene.sampling.height)
         for (std::size_t k = 0; k < per_gauge_; ++k)
@@ -61,7 +62,8 @@ void HeightGauges::record(Simulation& simulation, RunRecord& record) {
             const std::size_t i = n * per_gauge_ + k;
             const double support = points_.support[i];
             parts[k].at = {points_.places[i].z() - step_ / 2, points_.places[i].z() + step_ / 2};
-            parts[k].water = support > 0 ? support / room_at(simulation, points_.places[i]) : 0;
+            parts[k].water =
+                support > 0 ? support * (1 + points_.p[i] / stiffness_) / room_at(simulation, points_.places[i]) : 0;
         }
         t.set(row, gauge.name.c_str(), "m", gauge_level(line_, solids_at(simulation, gauge), parts, 2 * step_));
     }

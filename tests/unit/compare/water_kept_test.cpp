@@ -103,6 +103,9 @@ TEST(WaterKept, WaterThatShouldRestAndMovesFailsACheck) {
     RunRecord body = tank({-0.25, -0.25}, energy);
     body.table("body_ball").append(0);
     EXPECT_FALSE(gate(body, "motion of water at rest")) << "a body moves it";
+    RunRecord wave = tank({-0.25, -0.25}, 5e-3 * energy);
+    wave.numbers["wave_period"] = 0.8;
+    EXPECT_FALSE(gate(wave, "motion of water at rest")) << "a wave does";
 }
 
 /// A stream over 4 x 1 m, 0.5 m deep, with so much water in the box at each frame, and the given level at its inlet.

@@ -108,7 +108,7 @@ TEST(ForcingZonesInInterFoam, AreRefusedWithoutALibraryWithWhatToDo) {
     };
     OpenFoam mended = installation("openfoam.com", "v1912", "");
     mended.solver = "/own/bin/interFoam", mended.bin = "/usr/bin";
-    EXPECT_NE(refusal(mended).find("twinwake setup-openfoam builds it:"), std::string::npos) << refusal(mended);
+    EXPECT_NE(refusal(mended).find("twinwake setup-openfoam builds it;"), std::string::npos) << refusal(mended);
     OpenFoam loaded = installation("openfoam.org", "13", "");
     loaded.solver = "/opt/openfoam13/bin/foamRun", loaded.bin = "/opt/openfoam13/bin";
     EXPECT_NE(refusal(loaded).find("twinwake setup-openfoam builds it in the environment"), std::string::npos)

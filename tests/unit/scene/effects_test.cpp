@@ -84,6 +84,7 @@ TEST(Effects, SwitchingOneChangesTheSceneHashAndItsParametersCountOnlyThen) {
         EXPECT_FALSE(without.effect_on(part.name));
         EXPECT_NE(with_it.hash, without.hash) << part.name;
         for (const SceneKey& key : part.keys) {
+            if (key.name == "downstream") continue;  // of streams alone, and refused without the effect: keys_test.cpp
             const std::string header = "[" + key.section + "]\n",
                               line = key.name + " = " +
                                      (key.choices.empty() ? "0.77" : "\"" + key.choices.back() + "\"") + "\n",
