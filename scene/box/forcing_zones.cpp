@@ -145,23 +145,26 @@ double clear_of_bodies(const Scene& scene, int axis, bool high) {
 }
 
 /// Of a tank with a wave: the end that makes it, and the one that absorbs it.
+constexpr double lengths_that_make = 1.5, strength_that_makes = 2;  // docs/decisions/088-waves.md
+
 ForcingZones zones_of_wave(const Scene& scene) {
     const RegularWave& wave = *scene.wave;
     ForcingZones plan;
     plan.wave_length = wave.length;
     plan.frequency = wave.encounter_frequency();
-    plan.why = "one wave length each: the first makes the wave, the second absorbs it";
+    plan.why = fmt::format("the first makes the wave over {:g} of its lengths, the second absorbs it over one",
+                           lengths_that_make);
     const double gamma = 1.5 * plan.frequency / std::sqrt(std::tanh(wave.k() * wave.depth));
     const Box& box = scene.domain.box;
     const bool from_high = wave.sum.direction < 0;
     for (const bool makes : {true, false}) {
         const bool high = makes == from_high;
-        const double end = (high ? box.max : box.min).x();
+        const double end = (high ? box.max : box.min).x(), width = (makes ? lengths_that_make : 1) * wave.length;
         plan.zones.push_back({.axis = 0,
                               .high = high,
-                              .begin = high ? end - wave.length : end + wave.length,
+                              .begin = high ? end - width : end + width,
                               .end = end,
-                              .gamma = makes ? 2 * gamma : gamma,
+                              .gamma = makes ? strength_that_makes * gamma : gamma,
                               .makes_wave = makes});
     }
     return plan;

@@ -42,10 +42,10 @@ struct ForcingZones {
 /// that oscillates ([tank] wave_length), but clear of prescribed bodies and over at most half of the tank, with gamma =
 /// 1.5 omega / sqrt(tanh k h), and more where there is room for less than 0.6 of a wave length.
 ///
-/// A tank with a [wave] has two, at the ends that it comes from and runs to, each one wave length wide. The wall behind
-/// the zone that makes it sends out a wave of the same height against it, which crosses the zone once and is left with
-/// exp(-gamma L / (6 cg)) of its height: 4 % in deep water at 1.5 omega, 10 % at k h = 1. So that zone is twice as
-/// strong.
+/// A tank with a [wave] has two, at the ends that it comes from and runs to. The one that absorbs it is one wave length
+/// wide. The wall behind the one that makes it sends out a wave of the same height against it; over 1.5 wave lengths and
+/// with twice the strength less than 1 % of that is left, and less than half a per cent of a wave that comes back is
+/// reflected (docs/decisions/088-waves.md).
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.

@@ -13,7 +13,7 @@
 namespace tw {
 namespace {
 
-constexpr double shortest_tank = 3;    ///< in wave lengths: a zone at each end, and one length between
+constexpr double shortest_tank = 3.5;  ///< in wave lengths: 1.5 that make it, one that absorbs it, and one between
 constexpr double largest_share = 0.9;  ///< of the highest wave
 constexpr double longest_depths = 60;  ///< of a wave length
 constexpr double fewest_sizes = 4;     ///< particles or cells in a wave's height
@@ -95,7 +95,7 @@ void settle_wave(Scene& scene, Sections& s) {
     if (tank < shortest_tank * scene.wave->length * (1 - 1e-9))
         wave.fail(size,
                   fmt::format("the wave is {:.4g} m long and the tank {:.4g} m; expected a tank of at least {:.4g} m, "
-                              "{:g} wave lengths: one for the zone that makes it, one for the zone that absorbs it, "
+                              "{:g} wave lengths: 1.5 for the zone that makes it, one for the zone that absorbs it, "
                               "one between",
                               scene.wave->length, tank, shortest_tank * scene.wave->length, shortest_tank));
     if (scene.wave->crest > scene.domain.box.max.z())
@@ -138,10 +138,11 @@ void check_wave(const Scene& scene, Sections& s) {
     for (const ForcingZone& zone : forcing_zones(scene).zones)
         for (const auto& [name, at] : solids) {
             if (zone.high ? at.max.x() > zone.begin : at.min.x() < zone.begin)
-                s.wave.fail(s.wave.has("length") ? "length" : "period",
-                            fmt::format("{} stands in the zone that ends at x = {:.4g} m, one wave length wide; "
-                                        "expected a longer tank, or the solid nearer to its middle",
-                                        name, zone.begin));
+                s.wave.fail(
+                    s.wave.has("length") ? "length" : "period",
+                    fmt::format("{} stands in the zone that ends at x = {:.4g} m, which makes or absorbs the wave; "
+                                "expected a longer tank, or the solid nearer to its middle",
+                                name, zone.begin));
         }
 }
 

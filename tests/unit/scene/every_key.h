@@ -44,7 +44,7 @@ inline std::map<std::string, Change> changes() {
                       airy = tank + "[effects]\nair = \"on\"\n", zoned = "[effects]\nforcing_zones = \"on\"\n";
     const std::string gated = with(fixed, "[sph]\n", "[sph]\ngate_point = [0, 0, 0.3]\ngate_normal = [0, 0, 1]\n");
     const std::string wavy =
-        "[tank]\nmin = [-1.5, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.04\n"
+        "[tank]\nmin = [-2, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.04\n"
         "length = 1\n[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n[sampling]\ninterval = 0.02\n"
         "mean_from = 0.7\n[sph]\nc0 = 100\n";
     const std::string sluice =
