@@ -126,6 +126,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];
         record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
     }
+    if (tailwater(scene)) record.numbers["fastest_stream"] = fastest_stream(scene);
     if (scene.effect_on("forcing_zones") && scene.motion.kind == Motion::Kind::stream)
         for (Eigen::Index k = 0; k < 2; ++k) {
             const std::string axis(1, "xy"[k]);

@@ -43,7 +43,7 @@ void add_run_gates(GateList& list) {
     if (const auto mach = largest(record, "max_mach", settled))
         list.add("largest Mach number", "-", *mach, 0.15, "weakly compressible: the density varies with its square");
     if (const auto fastest = largest(record, "max_speed", settled); fastest && speed > 0)
-        list.add("largest speed over stream", "-", *fastest / speed, 3,
+        list.add("largest speed over stream", "-", *fastest / number_of(record, "fastest_stream", speed), 3,
                  "spray and air reach 1.6; a larger value indicates a fault");
 }
 

@@ -16,6 +16,7 @@
 #include "scene/defaults.h"
 #include "scene/new_record.h"
 #include "scene/solids/friction_line.h"
+#include "scene/water/tailwater.h"
 
 namespace tw {
 namespace fs = std::filesystem;
@@ -190,8 +191,8 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     if (hull_held_in_stream(scene) && step != nullptr && moment.time >= scene.sampling.mean_from)
         note_worst(record, continuity_of_held_hull(scene, *step));
     if (scene.motion.speed > 0)
-        note_worst(record,
-                   {"water speed over stream", "-", std::sqrt(fastest) / scene.motion.speed, 3, moment.time, nowhere});
+        note_worst(record, {"water speed over stream", "-", std::sqrt(fastest) / fastest_stream(scene), 3, moment.time,
+                            nowhere});
     // a body or a tank that moves does work on the water
     if (!plan_.mesh_moves() && !scene.tank_motion) watch_energy(record);
 }

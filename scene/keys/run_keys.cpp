@@ -234,7 +234,7 @@ Rows sph_keys() {
     return {
         {.name = "h_over_dp", .range = {1.1, 3}, .hashed = Hashed::run,
          .slot = slot(&Scene::sph, &SphOptions::h_over_dp),
-         .meaning = "Smoothing length over particle spacing; unless given 2 with surface tension."},
+         .meaning = "Smoothing length over particle spacing; unless given 2 with surface tension and with a wave."},
         {.name = "c0", .unit = "m/s", .range = {0, fastest_sound, true}, .hashed = Hashed::run,
          .slot = slot(&Scene::sph, &SphOptions::c0),
          .fallback = "10 times the larger of U and sqrt(2 g H), and of sqrt(2 sigma/(rho h)) with surface tension; with "
@@ -243,7 +243,7 @@ Rows sph_keys() {
         {.name = "delta", .range = {0, 1}, .hashed = Hashed::run, .slot = slot(&Scene::sph, &SphOptions::delta),
          .meaning = "Coefficient of the density diffusion."},
         {.name = "alpha", .range = {0, 1}, .hashed = Hashed::run, .slot = slot(&Scene::sph, &SphOptions::alpha),
-         .meaning = "Coefficient of the artificial viscosity; unless given 0.1 with surface tension and 0 with dynamic pressure."},
+         .meaning = "Coefficient of the artificial viscosity; unless given 0.1 with surface tension, 0 with dynamic pressure and 0.001 with a wave."},
         {.name = "scheme", .kind = Kind::choice,
          .choices = {"symplectic_euler", "kick_drift_kick", "predictor_corrector", "rk4_frozen_diffusion"},
          .hashed = Hashed::run, .slot = slot(&Scene::sph, &SphOptions::scheme), .meaning = "Time stepping scheme."},

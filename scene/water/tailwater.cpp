@@ -46,6 +46,11 @@ std::optional<Tailwater> tailwater(const Scene& scene) {
     return t;
 }
 
+double fastest_stream(const Scene& scene) {
+    const std::optional<Tailwater> behind = tailwater(scene);
+    return std::max(scene.motion.speed, behind ? behind->speed : 0.0);
+}
+
 void check_tailwater(const Scene& scene) {
     if (!(scene.zones.downstream > 0)) return;
     const auto refuse = [&](const std::string& why) {

@@ -23,6 +23,9 @@ struct Tailwater {
 /// the water, or that of the box. Its domain has to be known, its weight may be off.
 std::optional<Tailwater> tailwater(const Scene& scene);
 
+/// The faster of the streams ahead and behind [m/s].
+double fastest_stream(const Scene& scene);
+
 /// Throws InputError where [domain] downstream stands in a scene that has no such water, or where its surface lies
 /// beyond the box.
 void check_tailwater(const Scene& scene);
