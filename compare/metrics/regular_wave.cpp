@@ -66,10 +66,11 @@ Periods periods_of(const Comparison& c) {
     Periods p;
     double from = 0, to = HUGE_VAL;
     for (const RunRecord& r : c.sources) {
-        const auto found = r.tables.find("height");
-        if (found == r.tables.end() || found->second.time.empty()) continue;
-        from = std::max({from, found->second.time.front(), number_of(r, "mean_from", 0)});
-        to = std::min(to, found->second.time.back());
+        for (const auto& [name, table] : r.tables) {
+            if ((name != "height" && !name.starts_with("body_")) || table.time.empty()) continue;
+            from = std::max({from, table.time.front(), number_of(r, "mean_from", 0)});
+            to = std::min(to, table.time.back());
+        }
         p.period = std::max(p.period, number_of(r, "wave_period", 0));
     }
     if (!(p.period > 0) || !std::isfinite(to)) return p;
@@ -134,6 +135,64 @@ std::array<MeanValue, 3> values_at(const RunRecord& r, const std::string& gauge,
         height.push_back(one->crest - one->trough), crest.push_back(one->crest), trough.push_back(one->trough);
     }
     return {mean_of(height, periods), mean_of(crest, periods), mean_of(trough, periods)};
+}
+
+/// First harmonic of a body's motion over `of_wave`, its amplitude in the wave. `of_row`: the motion in a row of its table.
+template <class OfRow>
+MeanValue response_in(const Table& table, const Periods& periods, double of_wave, OfRow of_row) {
+    std::vector<double> found;
+    for (int k = 0; k < periods.count; ++k) {
+        const double from = periods.from + k * periods.period;
+        Samples s;
+        for (std::size_t i = 0; i < table.time.size(); ++i)
+            if (table.time[i] > from && table.time[i] <= (from + periods.period) * (1 + 1e-12))
+                s.t.push_back(table.time[i]), s.x.push_back(of_row(i));
+        if (static_cast<int>(s.t.size()) >= 2 * unknowns &&
+            std::ranges::all_of(s.x, [](double x) { return std::isfinite(x); }))
+            found.push_back(std::abs(first_harmonic(s.t, s.x, 2 * pi / periods.period)) / of_wave);
+    }
+    return mean_of(found, periods);
+}
+
+/// How far bodies heave and pitch in the wave.
+void add_responses(Comparison& comparison, const Periods& periods) {
+    std::set<std::string> bodies;
+    double height = NAN, length = NAN;
+    for (const RunRecord& r : comparison.sources) {
+        if (!std::isfinite(height))
+            height = number_of(r, "wave_height", NAN), length = number_of(r, "wave_length", NAN);
+        for (const auto& [name, table] : r.tables)
+            if (name.starts_with("body_") && table.find("z") && table.find("q0") && table.find("q2"))
+                bodies.insert(name.substr(5));
+    }
+    if (!(height > 0) || !(length > 0)) return;
+    for (const std::string& body : bodies)
+        for (const bool heave : {true, false}) {
+            Quantity q = new_quantity(
+                fmt::format("{}_response:{}", heave ? "heave" : "pitch", body),
+                fmt::format("{} response of {}", heave ? "Heave" : "Pitch", body), "-",
+                fmt::format("amplitude of the first harmonic over {}, mean over {} whole periods",
+                            heave ? "half of the wave's height" : "the wave's slope pi H / L", periods.count));
+            double largest = 0;
+            for (const RunRecord& r : comparison.sources) {
+                const auto table = r.tables.find(body_table(body));
+                const auto column = [&](const char* name) { return table->second.find(name); };
+                if (table == r.tables.end() || !column("z") || !column("q0") || !column("q2"))
+                    q.values.push_back(unknown(not_given));
+                else if (heave)
+                    q.values.push_back(response_in(table->second, periods, height / 2,
+                                                   [&](std::size_t i) { return column("z")->values[i]; }));
+                else
+                    q.values.push_back(response_in(table->second, periods, pi * height / length, [&](std::size_t i) {
+                        return 2 * std::atan2(column("q2")->values[i], column("q0")->values[i]);
+                    }));
+                if (q.values.back().known) largest = std::max(largest, q.values.back().value);
+            }
+            if (largest < 1e-6) continue;  // it is not free to
+            beside(q);
+            q.judged_in_ladder = true;
+            comparison.quantities.push_back(std::move(q));
+        }
 }
 
 MeanValue reflection_in(const RunRecord& r, const std::set<std::string>& gauges, const Periods& periods) {
@@ -231,6 +290,7 @@ void add_regular_wave(Comparison& comparison) {
             comparison.quantities.push_back(std::move(q));
         }
     }
+    add_responses(comparison, periods);
     if (gauges.size() < 2) return;
     Quantity q =
         new_quantity("wave_reflection", "Reflection of the wave", "%",

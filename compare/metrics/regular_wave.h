@@ -11,6 +11,8 @@ namespace tw {
 ///   wave_height:GAUGE, wave_crest:GAUGE, wave_trough:GAUGE   mean over the periods, of each of which a mean and three
 ///                        harmonics are fitted, with its 95 % interval from how far the periods differ [m]; the theory's
 ///                        values stand beside as references
+///   heave_response:BODY, pitch_response:BODY   first harmonic of a body's motion over half of the wave's height and over
+///                        the wave's slope pi H / L, mean over the periods with its 95 % interval [-]
 ///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%], see split_waves
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);

@@ -74,6 +74,36 @@ TEST(RegularWaveMeasure, GivesHeightsAndReflectionOfARecord) {
     EXPECT_EQ(c.references.size(), 9);
 }
 
+TEST(RegularWaveMeasure, GivesHowFarABodyHeavesAndPitches) {
+    Comparison c;
+    for (const double heave : {0.025, 0.024}) {
+        RunRecord r = tank(0.04, 0);
+        r.numbers["wave_height"] = 0.04;
+        Table& table = r.table("body_box");
+        for (double t = 0; t < 9; t += 0.03) {
+            const double angle = 2 * pi / 0.8 * t, turn = 0.05 * std::cos(angle + 0.7);
+            const std::size_t row = table.append(t);
+            table.set(row, "z", "m", -0.003 + heave * std::cos(angle + 0.3));
+            table.set(row, "q0", "-", std::cos(turn / 2));
+            table.set(row, "q2", "-", std::sin(turn / 2));
+        }
+        c.sources.push_back(r);
+    }
+    c.names = {"sph", "fvm"};
+    add_regular_wave(c);
+    const Quantity *heave = c.find("heave_response:box"), *pitch = c.find("pitch_response:box");
+    ASSERT_TRUE(heave && pitch);
+    EXPECT_NEAR(heave->values[0].value, 1.25, 1e-4);
+    EXPECT_NEAR(heave->values[1].value, 1.2, 1e-4);
+    EXPECT_NEAR(pitch->values[0].value, 0.05 / (pi * 0.04), 1e-4);
+    for (RunRecord& r : c.sources)
+        for (double& z : r.tables["body_box"].find("z")->values) z = -0.003;
+    c.quantities.clear();
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("heave_response:box")) << "a body that is held in heave has no response";
+    EXPECT_TRUE(c.find("pitch_response:box"));
+}
+
 TEST(RegularWaveMeasure, IsAbsentWithoutAWave) {
     Comparison c;
     c.sources = {tank(0.04, 0)};
