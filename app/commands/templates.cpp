@@ -76,6 +76,67 @@ height = ["0.4 m", 0]
 [run]
 duration = "0.6 s"
 )"},
+        {"waves", R"(title = "Box that floats in regular waves"
+
+# The wave is made in a zone at the tank's left end, 1.5 of its lengths wide, and absorbed over one length at the right.
+[tank]
+min = ["-4 m", 0, "-0.4 m"]    # still water is z = 0: 0.4 m of it
+max = ["3 m", "10 mm", "0.3 m"]
+
+[domain]
+dimensions = 2
+
+[wave]
+height = "80 mm"               # from trough to crest
+period = "1.2 s"               # or its length; twinwake check says the other, and how the wave is resolved
+
+[[body]]
+name     = "box"
+shape    = "box"               # or: file = "my_body.stl"
+length   = "0.3 m"
+beam     = "1 m"
+height   = "0.2 m"
+position = [0, 0]
+draft    = "0.1 m"
+density  = "500 kg/m3"
+locked   = ["surge"]           # heaves and pitches, does not drift
+
+[[probe]]                      # two gauges or more tell what is reflected
+name   = "before"
+height = ["-0.9 m", 0]
+[[probe]]
+name   = "near"
+height = ["-0.6 m", 0]
+
+[motion]
+kind = "none"
+
+[resolution]
+near_hull = "10 mm"            # at least four in the wave's height, six to ten keep it well
+)"},
+        {"body", R"(title = "Sphere dropped on water"
+
+[tank]
+min = ["-0.5 m", "-0.5 m", "-0.6 m"]    # still water is z = 0
+max = ["0.5 m", "0.5 m", "0.5 m"]
+
+[[body]]
+name     = "ball"
+shape    = "sphere"            # or: file = "my_body.stl"
+diameter = "0.2 m"
+draft    = "-20 mm"            # depth of its lowest point: it hangs above the water
+density  = "500 kg/m3"
+velocity = [0, 0, -2]          # m/s; free to move from there on
+
+[motion]
+kind = "none"
+
+[resolution]
+near_hull = "20 mm"
+
+[run]
+duration = "0.4 s"
+)"},
         {"own", R"(title = "My hull at 30 m/s"
 
 [hull]

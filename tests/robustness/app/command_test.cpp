@@ -90,7 +90,7 @@ TEST_F(Command, WhatThisMachineWasFoundToTakeIsInThePrediction) {
 }
 
 TEST_F(Command, EveryTemplateThatNeedsNoFilePassesItsOwnCheck) {
-    for (const char* kind : {"planing", "seaplane", "tank"}) {
+    for (const char* kind : {"planing", "seaplane", "tank", "waves", "body"}) {
         const std::string file = std::string(kind) + ".toml";
         EXPECT_EQ(twinwake({"new", kind, file}).status, 0);
         const Outcome o = twinwake({"check", file});
