@@ -62,8 +62,11 @@ void HeightGauges::record(Simulation& simulation, RunRecord& record) {
             const std::size_t i = n * per_gauge_ + k;
             const double support = points_.support[i];
             parts[k].at = {points_.places[i].z() - step_ / 2, points_.places[i].z() + step_ / 2};
-            parts[k].water =
-                support > 0 ? support * (1 + points_.p[i] / stiffness_) / room_at(simulation, points_.places[i]) : 0;
+            parts[k].water = 0;
+            if (!(support > 0)) continue;
+            const double room = room_at(simulation, points_.places[i]);
+            const double water = support * (1 + points_.p[i] / stiffness_) / room;
+            parts[k].water = room < 1 ? std::min(water, 1.0) : water;  // beside edges of solids the room is not exact
         }
         t.set(row, gauge.name.c_str(), "m", gauge_level(line_, solids_at(simulation, gauge), parts, 2 * step_));
     }
