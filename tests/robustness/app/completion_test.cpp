@@ -70,7 +70,9 @@ TEST_F(Completion, OffersEverySubcommandAndEveryOptionThatHelpLists) {
         ASSERT_TRUE(has(options, "--help")) << command;
         words.push_back("-");
         const Words offers = offered(words);
-        const std::size_t section = man.find("\n.SS \"twinwake " + command + "\"\n");
+        std::string heading = command;
+        for (std::size_t k = 0; (k = heading.find('-', k)) != heading.npos; k += 2) heading.insert(k, "\\");
+        const std::size_t section = man.find("\n.SS \"twinwake " + heading + "\"\n");
         const std::string page =
             section == man.npos ? "" : man.substr(section, man.find("\n.S", section + 1) - section);
         for (const std::string& option : options) {

@@ -125,7 +125,7 @@ TEST(KillAndResume, ARunThatHasSettledGoesOnToTheSameBits) {
     };
     put("\"0.05 m\"", "\"0.0625 m\"");
     put("\"2 m\"", "\"1.25 m\"");
-    put("interval = \"0.05 s\"", "interval = \"0.02 s\"\nmean_from = \"0.6 s\"");
+    put("interval = \"0.05 s\"", "interval = \"0.02 s\"\nmean_from = \"0.9 s\"");
     put("\"2 s\"", "\"2 s\"\nstop = \"settled\"");
     put("checkpoint = \"0.04 s\"", "checkpoint = \"0.5 s\"");
     write_text_atomically(scene, text);
