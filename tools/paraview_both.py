@@ -127,7 +127,7 @@ def show(run, time=None):
     try:
         from paraview import simple
     except ImportError:
-        raise SystemExit("this Python has no ParaView; start the script with pvpython, or paraview --script=...") from None
+        raise SystemExit("this Python has no ParaView; start it with pvpython, or paraview --script=...") from None
 
     simple._DisableFirstRenderCameraReset()
     sides = {method: opened(files) for method, files in files_of.items()}
