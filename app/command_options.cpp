@@ -138,6 +138,8 @@ void check_options(CLI::App& c, CheckCommand& check) {
               "scene's number");
     c.add_option("--picture", check.picture,
                  "SVG file to write: side and plan view of the sizes of particles and cells round the hull");
+    c.add_option("--html", check.html,
+                 "page to write: what to look at first, that picture, the effects, and all that is printed");
 }
 
 void reference_options(CLI::App& c, ReferenceCommand& reference) {
@@ -174,7 +176,7 @@ void run_options(CLI::App& c, RunCommand& run) {
 }
 
 void compare_options(CLI::App& c, CompareCommand& compare) {
-    c.add_option("sources", compare.sources, "run records, or folders of runs; or two report.json files")
+    c.add_option("sources", compare.sources, "run records, or folders of runs or ladders; or two report.json files")
         ->required()
         ->expected(1, 64);
     c.add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
@@ -226,6 +228,7 @@ void sweep_options(CLI::App& c, SweepCommand& sweep) {
     c.add_option("--scale", sweep.scene.scale, "all sizes times this number, refinement levels kept");
     c.add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
     add_effect(c, sweep.scene);
+    add_method(c, sweep.method);
     c.add_option("--twins", sweep.twins,
                  "which scenes are also run at two coarser sizes for their discretisation error: first (its relative "
                  "error is taken "

@@ -123,10 +123,14 @@ def limits_of(sides, time):
 
 def show(run, time=None):
     """Both views; gives the times that there are."""
-    from paraview import simple
+    files_of = sources(run)
+    try:
+        from paraview import simple
+    except ImportError:
+        raise SystemExit("this Python has no ParaView; start it with pvpython, or paraview --script=...") from None
 
     simple._DisableFirstRenderCameraReset()
-    sides = {method: opened(files) for method, files in sources(run).items()}
+    sides = {method: opened(files) for method, files in files_of.items()}
     times = sorted({t for side in sides.values() for t in getattr(side["water"], "TimestepValues", []) or []})
     time = times[-1] if time is None and times else time
     heights, pressures = limits_of(sides, time)
@@ -186,6 +190,9 @@ def main(words):
     options = {"--picture": None, "--state": None, "--time": None}
     while words:
         word = words.pop(0)
+        if word in ("-h", "--help"):
+            print(__doc__.strip())
+            return
         if word in options and words:
             options[word] = words.pop(0)
         elif not word.startswith("-"):
@@ -194,7 +201,11 @@ def main(words):
             raise SystemExit(f"{word}: unknown; expected RUN, --picture FILE.png, --state FILE.pvsm, --time SECONDS")
     if not run:
         raise SystemExit("expected the folder of a run: RUN, or the environment variable TWINWAKE_RUN")
-    layout, times = show(os.path.abspath(run), float(options["--time"]) if options["--time"] else None)
+    try:
+        time = float(options["--time"]) if options["--time"] else None
+    except ValueError:
+        raise SystemExit(f"--time {options['--time']}: expected seconds") from None
+    layout, times = show(os.path.abspath(run), time)
     from paraview import simple
 
     if options["--picture"]:

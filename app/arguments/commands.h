@@ -58,6 +58,7 @@ struct CheckCommand {
     SceneArguments scene;
     int threads = 0, ranks = 0;     ///< 0: the scene's
     std::filesystem::path picture;  ///< SVG file of the sizes of particles and cells; empty: none
+    std::filesystem::path html;     ///< page of all that is checked, with that picture; empty: none
 };
 int run_check(const CheckCommand& command, const Common& common);
 
@@ -119,6 +120,7 @@ struct SweepCommand {
     SceneArguments scene;
     std::vector<std::filesystem::path> hulls;
     std::vector<std::string> speeds, trims;  ///< texts with units
+    std::string method;                      ///< sph, fvm, both; empty: what the scene says
     std::string twins = "first";             ///< first, all, none: which scenes run their own
     std::filesystem::path out;               ///< empty: runs/<name of the scene file>_sweep
     bool overwrite = false;

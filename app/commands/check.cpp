@@ -2,37 +2,15 @@
 
 #include "app/arguments/output.h"
 #include "app/campaign/twins.h"
+#include "app/commands/check_page.h"
 #include "app/runs/facts_json.h"
 #include "app/runs/ranks.h"
 #include "app/runs/run_method.h"
-#include "base/errors.h"
-#include "compare/report/resolution_picture.h"
 #include "compare/report/svg_plot.h"
-#include "scene/new_record.h"
 #include "scene/refined_places.h"
 #include "sph_solver/on_gpu.h"
 
 namespace tw::app {
-
-namespace {
-
-void draw_sizes(const Scene& scene, const std::filesystem::path& file) {
-    std::vector<RunRecord> runs;
-    std::vector<std::string> names;
-    for (const std::string& method : scene.run.methods) {
-        runs.push_back(new_record(scene, method));
-        names.push_back(elements_of(method) + " (" + method + ")");
-    }
-    const std::string picture = resolution_picture(runs, names);
-    if (picture.empty())
-        throw InputError(
-            "--picture: particles and cells have one size everywhere in this scene, and it has no forcing zones; leave "
-            "the "
-            "option out");
-    write_file(file, svg_file(picture));
-}
-
-}  // namespace
 
 int run_check(const CheckCommand& command, const Common& common) {
     const PlannedRun plan = plan_run({.file = command.scene.file,
@@ -44,18 +22,22 @@ int run_check(const CheckCommand& command, const Common& common) {
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
     const Twins twins({.file = command.scene.file, .overrides = command.scene.overrides(), .threads = command.threads},
                       {});
-    say(common, to_text(scene, plan.prediction) + twins.prediction_text(scene, own) +
-                    "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n");
+    std::string text = to_text(scene, plan.prediction) + twins.prediction_text(scene, own) +
+                       "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n";
     const RanksTake ranks = ranks_take(plan, command.ranks);
-    say(common, ranks.line);
+    text += ranks.line;
     if (built_for_gpu()) {
         const Prediction& p = plan.prediction;
-        say(common,
-            fmt::format("gpu: one can make the particles' steps (run --device gpu) with {:.2g} GB of its "
-                        "memory; the force by the control volume is left out\n",
-                        bytes_on_gpu(p.most_particles + p.wall_particles, sizes_of_particles(scene) > 1) / 1e9));
+        text += fmt::format(
+            "gpu: one can make the particles' steps (run --device gpu) with {:.2g} GB of its "
+            "memory; the force by the control volume is left out\n",
+            bytes_on_gpu(p.most_particles + p.wall_particles, sizes_of_particles(scene) > 1) / 1e9);
     }
-    if (!command.picture.empty()) draw_sizes(scene, command.picture);
+    say(common, text);
+    if (!command.picture.empty()) write_file(command.picture, svg_file(scene_picture(scene)));
+    if (!command.html.empty()) write_file(command.html, check_page(scene, text));
+    for (const std::filesystem::path& file : {command.picture, command.html})
+        if (!file.empty()) say(common, "written: " + file.string() + "\n");
     write_json(common, check_json(scene, plan.prediction, ranks));
     return done;
 }

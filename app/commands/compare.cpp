@@ -19,11 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_methods_folder(const fs::path& source) { return fs::exists(source / "record.h5"); }
+
 /// The record files that a name stands for: the file itself, a method's folder, or a run's folder with all its methods
 /// in it.
 std::vector<fs::path> record_files(const fs::path& source) {
     if (!fs::is_directory(source)) return {source};
-    if (fs::exists(source / "record.h5")) return {source / "record.h5"};
+    if (is_methods_folder(source)) return {source / "record.h5"};
     std::vector<fs::path> files;
     for (const std::string& method : method_names())
         if (fs::exists(source / method / "record.h5")) files.push_back(source / method / "record.h5");
@@ -34,18 +36,36 @@ std::vector<fs::path> record_files(const fs::path& source) {
     return files;
 }
 
-/// The coarser runs that `twinwake run` left beside a run's records; none where the source is no run's folder.
-std::vector<fs::path> twin_files(const fs::path& source) {
+/// Records in the folders below one: of sizes, their variations and methods.
+std::vector<fs::path> files_below(const fs::path& folder) {
     std::vector<fs::path> files;
-    const fs::path twins = source / "twins";
-    if (!fs::is_directory(twins) || fs::exists(source / "record.h5")) return files;
-    constexpr int deepest = 3;  // size, a wider box, method: behind it lie cases
-    for (fs::recursive_directory_iterator at(twins), end; at != end; ++at) {
+    if (!fs::is_directory(folder)) return files;
+    constexpr int deepest = 3;  // size, a variation, method: behind it lie cases
+    for (fs::recursive_directory_iterator at(folder), end; at != end; ++at) {
         if (at->path().filename() == "record.h5") files.push_back(at->path());
         if (at.depth() >= deepest || at->path().filename() == "case") at.disable_recursion_pending();
     }
     std::ranges::sort(files);
     return files;
+}
+
+/// The coarser runs that `twinwake run` left beside a run's records; none where the source is no run's folder.
+std::vector<fs::path> twin_files(const fs::path& source) {
+    return is_methods_folder(source) ? std::vector<fs::path>() : files_below(source / "twins");
+}
+
+/// The runs that `twinwake ladder` left in its folder; none where the source is a run's.
+std::vector<fs::path> files_of_sizes(const fs::path& source) {
+    const auto is_of_run = [&](const std::string& method) { return fs::exists(source / method / "record.h5"); };
+    if (is_methods_folder(source) || std::ranges::any_of(method_names(), is_of_run)) return {};
+    return files_below(source);
+}
+
+void take_finished(LadderHarvest& harvest, const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) {
+        RunRecord record = read_record(file);
+        if (record.state == "finished") harvest.take(std::move(record), file);
+    }
 }
 
 /// What a run's folder says of the discretisation error, as its own report does; none: nothing in it, or no ladder.
@@ -55,10 +75,7 @@ std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
     if (twins.empty()) return {};
     LadderHarvest harvest;
     for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_record(file), file);
-    for (const fs::path& file : twins) {
-        RunRecord record = read_record(file);
-        if (record.state == "finished") harvest.take(std::move(record), file);
-    }
+    take_finished(harvest, twins);
     harvest.variations = take_variations(harvest.runs);
     harvest.drop_lone_variations();
     try {
@@ -73,8 +90,14 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
     if (command.out.empty())
         throw InputError("compare --ladder: expected --out, a folder for the tables and the report");
     LadderHarvest harvest;
-    for (const fs::path& source : command.sources)
+    for (const fs::path& source : command.sources) {
+        if (const std::vector<fs::path> sizes = files_of_sizes(source); !sizes.empty()) {
+            take_finished(harvest, sizes);
+            continue;
+        }
         for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
+        take_finished(harvest, twin_files(source));
+    }
     harvest.variations = take_variations(harvest.runs);
     const FolderLock lock(command.out);
     const Ladder ladder = report_ladder(harvest, measured_records(command.measured), command.out, common);

@@ -16,7 +16,6 @@
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/ladder/judge_by_sizes.h"
-#include "methods/methods.h"
 
 namespace tw::app {
 namespace {
@@ -70,7 +69,7 @@ std::vector<SweptHull> variants_of(const SweepCommand& command) {
 RunRequest request_of(const SweptHull& variant, const SweepCommand& command) {
     return {.file = command.scene.file,
             .overrides = variant.overrides,
-            .method = every_method,
+            .method = command.method,
             .threads = command.threads,
             .elsewhere = command.making.elsewhere()};
 }
@@ -169,7 +168,8 @@ int run_sweep(const SweepCommand& command, const Common& common) {
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
     std::vector<SweptHull> variants = variants_of(command);
     plan_all(variants, command);
-    if (const std::optional<PlannedRun>& first = variants.front().plan) say(common, unused_ranks(first->scene));
+    const auto first = std::ranges::find_if(variants, [](const SweptHull& v) { return v.plan.has_value(); });
+    if (first != variants.end()) say(common, unused_ranks(first->plan->scene));
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite;
@@ -177,7 +177,8 @@ int run_sweep(const SweepCommand& command, const Common& common) {
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
     const std::vector<CampaignRun> all = runs_of(variants, out, command);
     if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
-    if (!command.making.collect) say(common, ready_text(method_names(), {}));
+    if (first != variants.end() && !command.making.collect)
+        say(common, ready_text(first->plan->scene.run.methods, first->plan->scene, &first->plan->prediction));
     catch_stop_signals();
     campaign.ahead(study, all);
     std::vector<SweepMember> members;

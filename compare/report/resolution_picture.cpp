@@ -111,6 +111,10 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
 std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names) {
     if (std::ranges::none_of(runs, [](const RunRecord& r) { return r.resolution.size() > 1 || has_zones(r); }))
         return {};
+    return domain_picture(runs, names);
+}
+
+std::string domain_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names) {
     std::vector<Plot> plots{view(runs, names, 2)};
     if (number_of(runs.front(), "dimensions", 3) > 2) plots.push_back(view(runs, names, 1));
     return svg_column(plots);

@@ -153,7 +153,7 @@ class _Picture:
         rows = [2.0] + ([] if flat else [2.0]) + ([1.2] if forces else [])
         self.figure = pyplot.figure(figsize=(12.8, 7.2 if len(rows) > 1 else 4), dpi=100)
         grid = self.figure.add_gridspec(len(rows), len(self.sides), height_ratios=rows, hspace=0.35, wspace=0.15,
-                                        left=0.06, right=0.96, top=0.9, bottom=0.08)
+                                        left=0.06, right=0.93, top=0.9, bottom=0.08)
         limits = self._limits()
         self.parts: List[Dict[str, Any]] = []
         for k, (method, side) in enumerate(self.sides.items()):

@@ -177,6 +177,43 @@ TEST_F(Command, CheckDrawsTheSizesOfParticlesAndCells) {
     EXPECT_EQ(twinwake({"check", "a.toml", "--picture", "no/such/folder/sizes.svg"}).status, 2);
 }
 
+TEST_F(Command, ASweepRunsTheMethodsOfItsSceneOrThoseAskedFor) {
+    write("a.toml", planing + "methods = [\"sph\"]\n");
+    const auto methods = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"sweep", "a.toml", "--speeds", "7 m/s", "8 m/s", "--twins", "none"});
+        more.insert(more.end(), {"--emit", "snakemake", "--overwrite"});
+        const Outcome o = twinwake(more);
+        EXPECT_EQ(o.status, 0) << o.err;
+        std::string all;
+        for (const auto& m : nlohmann::json::parse(content(folder_ / "runs/a_sweep/study/study.json"))["members"])
+            all += m["method"].get<std::string>() + " ";
+        return all;
+    };
+    EXPECT_EQ(methods({}), "sph sph ");
+    EXPECT_EQ(methods({"--method", "fvm"}), "fvm fvm ");
+    EXPECT_EQ(methods({"--method", "both"}), "sph fvm sph fvm ");
+}
+
+TEST_F(Command, CheckWritesAPageOfWhatWouldBeSolved) {
+    write("a.toml", with(planing, "[run]", "[sph]\nc0 = 20\n[run]"));
+    const Outcome o = twinwake({"check", "a.toml", "--html", "a.html"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_NE(o.out.find("written: a.html"), std::string::npos) << o.out;
+    const std::string page = content(folder_ / "a.html");
+    const auto first = page.find("<h2>Hull");
+    ASSERT_NE(first, std::string::npos) << page;
+    EXPECT_LT(page.find("this sound speed, which compresses it"), first) << "a warning stands above the picture";
+    for (const char* part : {"<svg", "Side view", "class=\"shadow", "<td>ventilation", "scene hash"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    for (const char* loads : {" src=", "<link", "<script"})
+        EXPECT_EQ(page.find(loads), std::string::npos) << "it loads nothing from anywhere: " << loads;
+
+    write("tank.toml", falling_column("tank", "duration = 0.1", "[0.4, 0.1, 0.02]"));
+    EXPECT_EQ(twinwake({"check", "tank.toml", "--html", "tank.html"}).status, 0) << "one size everywhere";
+    EXPECT_NE(content(folder_ / "tank.html").find(">0.02 m<"), std::string::npos);
+    EXPECT_EQ(twinwake({"check", "tank.toml", "--html", "no/such/folder/a.html"}).status, 2);
+}
+
 TEST_F(Command, LostOutputIsNoSuccess) {
     write("a.toml", planing);
     write("table.csv", "h,drag\n1,1\n2,1.1\n4,1.4\n");

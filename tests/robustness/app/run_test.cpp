@@ -105,6 +105,9 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
                                        ladder + "near_hull_28.2843mm/sph", "--out", "from_records"});
     EXPECT_EQ(compared.status, 0) << compared.err;
     EXPECT_EQ(content(folder_ / "from_records/ladder_sph.csv"), content(out / "ladder_sph.csv"));
+    const Outcome by_folder = twinwake({"compare", "--ladder", "runs/my column_ladder", "--out", "from_folder"});
+    EXPECT_EQ(by_folder.status, 0) << by_folder.err;
+    EXPECT_EQ(content(folder_ / "from_folder/ladder.md"), content(out / "ladder.md"));
     EXPECT_EQ(twinwake({"compare", "--ladder", ladder + "near_hull_20mm/sph"}).status, 2);  // nowhere to write it
 
     write("my column.toml", with(column, "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.2, 0.1]"));

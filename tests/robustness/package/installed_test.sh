@@ -34,10 +34,12 @@ installed() {  # a command of the installed program where nothing else is
     env -i HOME="$folder/home" PATH="$folder/bin" TWINWAKE_OPENFOAM_PLACES=/nowhere XDG_CACHE_HOME="$folder/cache" \
         "$folder/usr/bin/twinwake" "$@" 2>&1
 }
-installed doctor | expect "doctor names the command of this installation" "$folder/usr/bin/twinwake setup-openfoam"
+demo=(run "$folder/usr/share/twinwake/studies/demo.toml" --method fvm --out "$folder/none")
+installed "${demo[@]}" | expect "a run names the command of this installation" "$folder/usr/bin/twinwake setup-openfoam"
 ln -s "$folder/usr/bin/twinwake" "$folder/bin/twinwake"
-installed doctor | expect "doctor names the command as it is called" $'\n  twinwake setup-openfoam\n'
-installed doctor | grep -q bootstrap && tell "doctor names bootstrap.sh, which is not installed"
+said=$(installed doctor)
+expect "doctor names the command as it is called" $'\n  twinwake setup-openfoam\n' <<<"$said"
+[[ $said != *bootstrap* ]] || tell "doctor names bootstrap.sh, which is not installed: $said"
 
 installed setup-openfoam | expect "a system without apt" "this system has no apt"
 printf '#!/bin/bash\nexit 1\n' >"$folder/bin/dpkg-query"

@@ -32,18 +32,19 @@ class Films(InAFolder):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.run = twinwake.run({**COLUMN, "title": "$x_1$ \x07 of a column"}, "runs/column", twins=False)
+        cls.made = twinwake.run({**COLUMN, "title": "$x_1$ \x07 of a column", "sampling": {"interval": "0.025 s"}},
+                                "runs/column", twins=False)
 
     def refusal(self, **given):
         with self.assertRaises(twinwake.TwinwakeError) as caught:
-            film(self.run, **given)
+            film(self.made, **given)
         return str(caught.exception)
 
     def test_each_frame_of_the_record_is_one_of_the_film(self):
         made = film("runs/column", "a.gif", seconds=1)
         with Image.open(made) as gif:
             frames = [np.asarray(f.convert("RGB"), dtype=int) for f in ImageSequence.Iterator(gif)]
-        self.assertEqual(len(frames), len(self.run.records["sph"].raster().times))
+        self.assertEqual(len(frames), len(self.made.records["sph"].raster().times))
         # the water is blue, falls and spreads: more of the last picture's right half is blue than of the first one's
         blue = [(f[:, :, 2] - f[:, :, 0] > 60)[:, f.shape[1] // 2:].mean() for f in (frames[0], frames[-1])]
         self.assertGreater(blue[1], 1.2 * blue[0] + 0.001)
@@ -68,10 +69,10 @@ class Films(InAFolder):
         path = os.environ["PATH"]
         os.environ.update(PATH=f"{self.folder}/bin:{path}", FILM_WORDS=str(self.folder / "words"))
         try:
-            film(self.run, "c.webm", seconds=2)
+            film(self.made, "c.webm", seconds=2)
             words, count = Path("words").read_text().splitlines()
             size = words.split(" -s ")[1].split()[0].split("x")
-            frames = len(self.run.records["sph"].raster().times)
+            frames = len(self.made.records["sph"].raster().times)
             self.assertEqual(int(count), int(size[0]) * int(size[1]) * 3 * frames)
             self.assertIn("libvpx-vp9", words)
             os.environ["FILM_FAILS"] = "1"
