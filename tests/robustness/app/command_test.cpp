@@ -185,8 +185,8 @@ TEST_F(Command, ASweepRunsTheMethodsOfItsSceneOrThoseAskedFor) {
         const Outcome o = twinwake(more);
         EXPECT_EQ(o.status, 0) << o.err;
         std::string all;
-        for (const auto& m : nlohmann::json::parse(content(folder_ / "runs/a_sweep/study/study.json"))["members"])
-            all += m["method"].get<std::string>() + " ";
+        const auto study = nlohmann::json::parse(content(folder_ / "runs/a_sweep/study/study.json"));
+        for (const auto& m : study["members"]) all += m["method"].get<std::string>() + " ";
         return all;
     };
     EXPECT_EQ(methods({}), "sph sph ");
