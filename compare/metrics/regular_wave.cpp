@@ -13,6 +13,7 @@
 #include "compare/metrics/quantity.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
+#include "statistics/student_t.h"
 
 namespace tw {
 namespace {
@@ -82,27 +83,26 @@ Periods periods_of(const Comparison& c) {
 struct Samples {
     std::vector<double> t, x;
 };
-Samples samples_of(const RunRecord& r, const std::string& gauge, double from, double to) {
+/// The known values after `from`, up to `to` [s]; `of_row`: the value in a row.
+template <class OfRow>
+Samples samples_between(const std::vector<double>& time, double from, double to, OfRow of_row) {
     Samples s;
-    const Column* c = r.series("height", gauge);
-    if (!c) return s;
-    const std::vector<double>& time = r.tables.at("height").time;
     for (std::size_t i = 0; i < time.size(); ++i)
-        if (time[i] > from && time[i] <= to * (1 + 1e-12) && std::isfinite(c->values[i]))
-            s.t.push_back(time[i]), s.x.push_back(c->values[i]);
+        if (time[i] > from && time[i] <= to * (1 + 1e-12) && std::isfinite(of_row(i)))
+            s.t.push_back(time[i]), s.x.push_back(of_row(i));
     return s;
+}
+
+Samples samples_of(const RunRecord& r, const std::string& gauge, double from, double to) {
+    const Column* c = r.series("height", gauge);
+    if (!c) return {};
+    return samples_between(r.tables.at("height").time, from, to, [&](std::size_t i) { return c->values[i]; });
 }
 
 MeanValue unknown(const std::string& why) {
     MeanValue m;
     m.why_not = why;
     return m;
-}
-
-/// 0.975 quantile of Student's t, within 1 % (Cornish-Fisher), for n >= 2 degrees of freedom.
-double student(double n) {
-    const double z = 1.959964, z3 = z * z * z, z5 = z3 * z * z;
-    return n < 2 ? 12.706 : z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) + 2.9 / (n * n * n);
 }
 
 MeanValue mean_of(const std::vector<double>& values, const Periods& periods) {
@@ -118,7 +118,7 @@ MeanValue mean_of(const std::vector<double>& values, const Periods& periods) {
     for (const double v : values) squares += (v - m.value) * (v - m.value);
     m.known = true;
     m.why_not.clear();
-    m.half_width = student(n - 1) * std::sqrt(squares / (n - 1) / n);
+    m.half_width = student_t_95(n - 1) * std::sqrt(squares / (n - 1) / n);
     m.from = periods.from, m.to = periods.from + periods.count * periods.period;
     return m;
 }
@@ -143,12 +143,8 @@ MeanValue response_in(const Table& table, const Periods& periods, double of_wave
     std::vector<double> found;
     for (int k = 0; k < periods.count; ++k) {
         const double from = periods.from + k * periods.period;
-        Samples s;
-        for (std::size_t i = 0; i < table.time.size(); ++i)
-            if (table.time[i] > from && table.time[i] <= (from + periods.period) * (1 + 1e-12))
-                s.t.push_back(table.time[i]), s.x.push_back(of_row(i));
-        if (static_cast<int>(s.t.size()) >= 2 * unknowns &&
-            std::ranges::all_of(s.x, [](double x) { return std::isfinite(x); }))
+        const Samples s = samples_between(table.time, from, from + periods.period, of_row);
+        if (static_cast<int>(s.t.size()) >= 2 * unknowns)
             found.push_back(std::abs(first_harmonic(s.t, s.x, 2 * pi / periods.period)) / of_wave);
     }
     return mean_of(found, periods);
