@@ -4,8 +4,8 @@
 //   mpirun -n 4 build/benchmarks/bench_ranks SCENE.toml [STEPS] [NEAR_HULL] [THREADS]
 //
 // Prints the work of the rank that has most over the mean, the copies of others' particles that a rank holds, what a
-// step sends; and, timed, a step with so many threads a rank (1), and the share that a rank's own sums of the loads have
-// of it. docs/decisions/067-ranks.md has the tables.
+// step sends; and, timed, a step with so many threads a rank (1), and the share that a rank's own sums of the loads
+// have of it. docs/decisions/067-ranks.md has the tables.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

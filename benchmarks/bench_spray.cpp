@@ -14,8 +14,8 @@
 #include "spray/flight/fly.h"
 
 // Throughput of the droplets' flight: bench_spray [droplets] prints a table. Droplets of 0.2 to 5 mm leave a place in
-// all directions upward at 5 to 40 m/s and fly for one second; once in uniform air, once in a table over z, once towards
-// a disc of 4800 triangles; and once in the field of an OpenFOAM case, a block of coarse and of finer cubes.
+// all directions upward at 5 to 40 m/s and fly for one second; once in uniform air, once in a table over z, once
+// towards a disc of 4800 triangles; and once in the field of an OpenFOAM case, a block of coarse and of finer cubes.
 
 namespace {
 

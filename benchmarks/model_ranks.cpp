@@ -4,8 +4,8 @@
 //   build/benchmarks/model_ranks SCENE.toml [FINER] [FIGURE.svg]
 //
 // FINER (default 1): so many times finer in each direction than the scene, without making those particles: each column
-// is cut into FINER x FINER and has their share of its work. One step of the scene is made, so that its pairs are known.
-// docs/decisions/067-ranks.md has the tables.
+// is cut into FINER x FINER and has their share of its work. One step of the scene is made, so that its pairs are
+// known. docs/decisions/067-ranks.md has the tables.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
     s.shifting = argument(6, s.shifting);
     s.state_equation.c0 = 10;
     s.gravity = Vec3::Zero();
-    // The thin jet's stagnation point is 3.2 H before the edge, and what it does to the stream falls as exp(-pi x / 2H):
-    // with the inlet at -6 H the stream is 1 % too strong there, and the force 1 to 4 % wrong.
+    // The thin jet's stagnation point is 3.2 H before the edge, and what it does to the stream falls as exp(-pi x /
+    // 2H): with the inlet at -6 H the stream is 1 % too strong there, and the force 1 to 4 % wrong.
     s.domain = {Vec3(-10, -1, -1), Vec3(4, 1, 2.6)};
     s.mirrors.on = {{{false, false}, {false, false}, {true, false}}};
     s.stream = Stream{1, 0.5, std::ceil(2 * s.h_over_dp + 2) * s.dp};

@@ -8,10 +8,10 @@ namespace tw {
 ///
 ///   p = rho_a c_a^2 / gamma ((rho / rho_a)^gamma - 1),   rho_a c_a^2 = gamma p_atm with the real 343 m/s.
 ///
-/// Other effects act on the water alone, but for the motion of a tank. The gas is shut in by a lid: what breaking water's particles lose in order
-/// they gain in volume, and the gas bears it (2 % of the gas are 3 kPa). So sampled pressures are relative to the
-/// lid's, as if the top were open. The gas sets the time step: its sound is four times faster than a typical numerical
-/// sound of water.
+/// Other effects act on the water alone, but for the motion of a tank. The gas is shut in by a lid: what breaking
+/// water's particles lose in order they gain in volume, and the gas bears it (2 % of the gas are 3 kPa). So sampled
+/// pressures are relative to the lid's, as if the top were open. The gas sets the time step: its sound is four times
+/// faster than a typical numerical sound of water.
 struct AirOptions {
     double density = Water{}.air_density;      ///< rho_a [kg/m3]
     double sound_speed = SphOptions{}.air_c0;  ///< c_a [m/s]

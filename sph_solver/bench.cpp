@@ -41,9 +41,9 @@ double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
             g.size = passes.lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
             NeighbourBlock* const chunk = list.data();
             water.list = {&chunk};
-            const FirstSweepData first{
+            const FirstPairLoopData first{
                 .water = water, .stress = stress.data(), .shift = shift.data(), .rate = rate.data()};
-            const SecondSweepData second{.water = water, .shift = shift.data(), .rate = rate.data()};
+            const SecondPairLoopData second{.water = water, .shift = shift.data(), .rate = rate.data()};
             for (int r = 0; r < repeats; ++r) {
                 passes.run(first, &g, 1);
                 passes.run(second, &g, 1);

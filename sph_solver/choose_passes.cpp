@@ -14,10 +14,10 @@
 #include "base/own_json.h"
 #include "record/this_machine.h"
 #include "sph_solver/domain/level_setup.h"
-#include "sph_solver/equations/water_touch.h"
+#include "sph_solver/equations/water_completeness.h"
 #include "sph_solver/neighbours/columns.h"
 #include "sph_solver/neighbours/list_life.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace {
@@ -30,14 +30,14 @@ using Json = nlohmann::json;
 class Block {
 public:
     explicit Block(const Passes& passes) : passes_(passes) {
-        const Quanta quanta(Vec3::Zero(), dp / (1 << 18));
-        const ColumnGrid grid({Vec3(0, 0, -floor * dp), Vec3::Constant(edge * dp)}, dp, 3, quanta, passes.lanes);
+        const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
+        const ColumnGrid grid({Vec3(0, 0, -floor * dp), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
         std::mt19937 random(1);
         std::uniform_real_distribution<double> jitter(-0.1 * dp, 0.1 * dp);
         std::vector<WidePlace> water, dummies;
         for (int k = 0; k < edge * edge * edge; ++k)
-            water.push_back(quanta.wide(cell(k, 0) + Vec3(jitter(random), jitter(random), jitter(random))));
-        for (int k = 0; k < edge * edge * floor; ++k) dummies.push_back(quanta.wide(cell(k, -floor)));
+            water.push_back(fixed_point.wide(cell(k, 0) + Vec3(jitter(random), jitter(random), jitter(random))));
+        for (int k = 0; k < edge * edge * floor; ++k) dummies.push_back(fixed_point.wide(cell(k, -floor)));
         std::vector<std::int32_t> start, wall_start;
         sort(grid, water, place_, start);
         sort(grid, dummies, wall_place_, wall_start);
@@ -45,7 +45,7 @@ public:
         motion_.resize(n), stress_.resize(n), shift_.resize(n), rate_.resize(n), surface_.resize(n / 32 + 2);
         normal_.assign(n, {0, 0, 1, 0});
         wall_p_.resize(wall_place_.size());
-        const auto top = static_cast<std::int32_t>((edge - 1) * dp / quanta.size);
+        const auto top = static_cast<std::int32_t>((edge - 1) * dp / fixed_point.size);
         for (std::size_t i = 0; i < n; ++i)
             if (place_[i].z > top) surface_[i / 32] |= std::uint32_t{1} << (i % 32);
         const Kernel kernel(1.55 * dp, 3);
@@ -53,8 +53,8 @@ public:
         const Source source{&grid, place_.data(), &start, 0}, walls{&grid, wall_place_.data(), &wall_start, 0};
         const auto within = [&](double skin) { return Reaches{support + skin, support, support - skin}; };
         make_groups(source, passes.lanes, groups_);
-        lists_.build(passes, quanta, source, groups_, {source}, within(ListLife::skin_over_dp * dp));
-        wall_lists_.build(passes, quanta, source, groups_, {walls}, within(ListLife::wall_skin_over_dp * dp),
+        lists_.build(passes, fixed_point, source, groups_, {source}, within(ListLife::skin_over_dp * dp));
+        wall_lists_.build(passes, fixed_point, source, groups_, {walls}, within(ListLife::wall_skin_over_dp * dp),
                           &Group::wall_list);
         const auto end = static_cast<std::int32_t>(wall_place_.size());
         wall_load_.resize(static_cast<std::size_t>(number_wall_loads(groups_, wall_lists_.view(), {end})));
@@ -64,7 +64,7 @@ public:
                             .stress = stress_.data(),
                             .surface = surface_.data(),
                             .kernel = kernel,
-                            .quantum = static_cast<float>(quanta.size)},
+                            .quantum = static_cast<float>(fixed_point.size)},
                   .walls = {.list = wall_lists_.view(),
                             .place = wall_place_.data(),
                             .p = wall_p_.data(),
@@ -75,18 +75,19 @@ public:
                   .inv_W_dp = static_cast<float>(1 / kernel.W(dp)),
                   .inv_dp = static_cast<float>(1 / dp),
                   .surface_support = static_cast<float>(LevelSetup{}.surface_support),
-                  .given_back = static_cast<float>(WaterTouch::of_plane_surface(kernel, dp, 3))};
+                  .given_back = static_cast<float>(WaterCompleteness::of_plane_surface(kernel, dp, 3))};
         second_ = {.water = first_.water,
                    .walls = first_.walls,
                    .shift = shift_.data(),
                    .rate = rate_.data(),
                    .wall_load = wall_load_.data()};
-        prune_ = {.lists = lists_.view(), .of = place_.data(), .place = place_.data(), .reach = support / quanta.size};
+        prune_ = {
+            .lists = lists_.view(), .of = place_.data(), .place = place_.data(), .reach = support / fixed_point.size};
         prune_walls_ = {.lists = wall_lists_.view(),
                         .list = &Group::wall_list,
                         .of = place_.data(),
                         .place = wall_place_.data(),
-                        .reach = support / quanta.size};
+                        .reach = support / fixed_point.size};
     }
     /// One evaluation of all particles [s].
     double time() {
@@ -127,8 +128,8 @@ private:
     std::vector<std::uint32_t> surface_;
     std::vector<Group> groups_;
     NeighbourLists lists_, wall_lists_;
-    FirstSweepData first_;
-    SecondSweepData second_;
+    FirstPairLoopData first_;
+    SecondPairLoopData second_;
     PruneData prune_, prune_walls_;
 };
 

@@ -12,7 +12,7 @@ namespace tw {
 
 struct PassesPace {
     const Passes* passes;
-    double evaluations_per_second;  ///< both sweeps, one thread, lists made already [1/s]
+    double evaluations_per_second;  ///< both pair loops, one thread, lists made already [1/s]
 };
 /// Measures each on a block of water with a floor and a surface, larger than the second cache, in turn; about a second.
 std::vector<PassesPace> measure_passes(const std::vector<const Passes*>& which);

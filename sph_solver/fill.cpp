@@ -84,11 +84,11 @@ std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<B
     std::vector<Fluid> levels;
     for (std::size_t k = 0; k <= setup.zones.size(); ++k) {
         const double dp = std::ldexp(setup.dp, static_cast<int>(setup.zones.size() - k));
-        const auto has_children = [&](const Vec3& parent) {
+        const auto has_daughters = [&](const Vec3& parent) {
             return k == 0 || Refinement::belongs(setup.zones[k - 1], parent, dp);
         };
         const Zone* zone = k == 0 ? nullptr : &setup.zones[k - 1];
-        levels.push_back(fill(setup, dp, static_cast<int>(k), solids, waters, has_children, zone));
+        levels.push_back(fill(setup, dp, static_cast<int>(k), solids, waters, has_daughters, zone));
     }
     return levels;
 }

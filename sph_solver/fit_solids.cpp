@@ -95,8 +95,8 @@ private:
     std::map<LatticeCell, std::size_t> particle_;
 };
 
-/// Fills the cells that solids cut as the water outside all of them asks for, and marks the solids that cut any. What is
-/// cut by two counts once, and what of a solid's face is inside another one is no face.
+/// Fills the cells that solids cut as the water outside all of them asks for, and marks the solids that cut any. What
+/// is cut by two counts once, and what of a solid's face is inside another one is no face.
 void fill_cut_cells(LatticeCells& cells, std::span<const SurfaceQuery> solids, std::span<const BodySetup> bodies,
                     double dp, std::vector<char>& cuts) {
     const Vec3 edges = cells.edges();

@@ -6,10 +6,11 @@
 namespace tw {
 
 /// Fits water that begins at rest to the solids in it. `fill_levels` keeps every point of the lattice that is outside a
-/// solid, so that a row of particles may stand on one face of it and half a cell of void beside the other. Here, of each
-/// solid that cuts cells of the lattice:
+/// solid, so that a row of particles may stand on one face of it and half a cell of void beside the other. Here, of
+/// each solid that cuts cells of the lattice:
 ///
-/// 1. A cell that is cut is filled or not so that along the solid there are as many particles as the water's share of the
+/// 1. A cell that is cut is filled or not so that along the solid there are as many particles as the water's share of
+/// the
 ///    cells asks for: what rounding leaves over is handed on to the cells beside it (error diffusion, Floyd & Steinberg
 ///    1976). A particle that fills one stands at the middle of the cell's water.
 /// 2. The particles within four spacings of the solid are moved until their packing is even (even_packing.h); depths go

@@ -32,7 +32,8 @@ std::string why_too_small(const Scene& scene, const Prediction* sizes) {
 }  // namespace
 
 double bytes_on_gpu(double particles, bool several_sizes) {
-    // Measured were 300 to 500 with one size, the more the longer the kernel reaches; what the edges ask for comes on top.
+    // Measured were 300 to 500 with one size, the more the longer the kernel reaches; what the edges ask for comes on
+    // top.
     return particles * (several_sizes ? 900 : 600);
 }
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "scene/scene.h"
-#include "sph_solver/sweeps/passes.h"
+#include "sph_solver/pair_loops/passes.h"
 
 namespace tw {
 
@@ -25,12 +25,12 @@ std::string gpu_in_words();
 /// What it was measured to do at most: arithmetic in single precision, and reading what its second cache holds.
 std::string gpu_peaks_in_words();
 
-/// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. "auto" says so where there is one with
-/// memory for the particles that are predicted. Throws InputError with the reason where one is asked for by "gpu" and is
-/// not here. `sizes`: what predict_sizes says of the scene, where it is known.
+/// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. "auto" says so where there is one
+/// with memory for the particles that are predicted. Throws InputError with the reason where one is asked for by "gpu"
+/// and is not here. `sizes`: what predict_sizes says of the scene, where it is known.
 bool gpu_wanted(const Scene& scene, const Prediction* sizes = nullptr);
-/// A line of the GPU that will make a scene's steps, or that "auto" leaves alone for its memory; empty: there is none, or
-/// none was asked for. Throws as `gpu_wanted`.
+/// A line of the GPU that will make a scene's steps, or that "auto" leaves alone for its memory; empty: there is none,
+/// or none was asked for. Throws as `gpu_wanted`.
 std::string gpu_line(const Scene& scene, const Prediction* sizes = nullptr);
 /// What the host beside a GPU makes lists and samples with: groups have eight particles there.
 const Passes& passes_beside_gpu();

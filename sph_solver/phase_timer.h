@@ -27,8 +27,8 @@ inline double peak_memory() {
     return 1024.0 * double(u.ru_maxrss);
 }
 
-/// Adds wall and processor time to a phase of the record while it lives; without that of `files`, where they are written
-/// meanwhile.
+/// Adds wall and processor time to a phase of the record while it lives; without that of `files`, where they are
+/// written meanwhile.
 class PhaseTimer {
 public:
     PhaseTimer(RunRecord& record, std::string name, const RunFiles* files = nullptr)

@@ -22,14 +22,14 @@ ColumnsOfSize columns_of(const Level& level, int finer, int steps) {
     s.grid = cut(level.grid(), finer);
     s.blocks = steps > 1 ? s.grid.scaled(2) : s.grid;
     s.steps = steps;
-    const Quanta& quanta = level.quanta();
-    s.low = quanta.wide(level.domain().min), s.high = quanta.wide(level.domain().max);
+    const Quanta& fixed_point = level.fixed_point();
+    s.low = fixed_point.wide(level.domain().min), s.high = fixed_point.wide(level.domain().max);
     const double reach = level.kernel().support() + ListLife::skin_over_dp * level.setup().dp;
-    s.reach = static_cast<std::int64_t>(reach * quanta.per_metre / finer) + 1;
+    s.reach = static_cast<std::int64_t>(reach * fixed_point.per_metre / finer) + 1;
     std::vector<std::int64_t> work(static_cast<std::size_t>(level.grid().count())), particles(work.size());
     const Particles& p = level.particles();
     const auto column = [&](std::size_t i) {
-        return static_cast<std::size_t>(level.grid().of(quanta.wide({p.x[i], p.y[i], p.z[i]})));
+        return static_cast<std::size_t>(level.grid().of(fixed_point.wide({p.x[i], p.y[i], p.z[i]})));
     };
     for (const Group& g : level.groups()) {
         const std::size_t c = column(static_cast<std::size_t>(g.first));

@@ -19,9 +19,9 @@ struct RunOutput {
     std::optional<Checkpoint> checkpoint;
 };
 
-/// The files of a particle run: record.h5, checkpoint.h5, snapshots/. Each is whole at any time, and they are written in
-/// the order of their moments: at most one moment's at a time. Nobody else in this process may use HDF5 meanwhile, which
-/// knows no threads.
+/// The files of a particle run: record.h5, checkpoint.h5, snapshots/. Each is whole at any time, and they are written
+/// in the order of their moments: at most one moment's at a time. Nobody else in this process may use HDF5 meanwhile,
+/// which knows no threads.
 class RunFiles {
 public:
     /// `beside_steps`: a thread of its own writes them, for a process by itself. Of several ranks the first one writes,

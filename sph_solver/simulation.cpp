@@ -33,7 +33,7 @@ void refuse_unsolved(const SimulationSetup& setup, const Bodies& bodies) {
             "free bodies need a time step with one evaluation, [sph] scheme \"kick_drift_kick\": their added mass is "
             "taken into account once a step, with an acceleration relaxed from step to step");
     if (setup.scheme != Scheme::kick_drift_kick &&
-        std::ranges::any_of(bodies, [](const auto& body) { return body->gives_way(); }))
+        std::ranges::any_of(bodies, [](const auto& body) { return body->is_deformable(); }))
         throw InputError(
             "elastic bodies need [sph] scheme \"kick_drift_kick\": water and structure meet in the middle of its "
             "drift");
@@ -63,12 +63,12 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k)
         refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k], k > 0 ? &refinements_[k - 1] : nullptr);
-    std::vector<Tier> tiers(finest + 1);
+    std::vector<RefinementLevel> refinement_levels(finest + 1);
     for (std::size_t k = 0; k <= finest; ++k) {
-        tiers[k].add(*levels_[k]);
-        if (k < finest) tiers[k].edge = &refinements_[k];
+        refinement_levels[k].add(*levels_[k]);
+        if (k < finest) refinement_levels[k].edge = &refinements_[k];
     }
-    stepper_.emplace(std::move(tiers), *bodies_, setup, setup.moment_reference);
+    stepper_.emplace(std::move(refinement_levels), *bodies_, setup, setup.moment_reference);
     if (all_fixed(*bodies_)) return;
     collisions_.emplace(*bodies_, *around_, setup.dp);
     if (finest > 0) collisions_->stay_within(refinements_.back().zone());

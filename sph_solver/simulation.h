@@ -39,7 +39,8 @@ std::vector<std::vector<Box>> waters_of(const SimulationSetup& setup, std::span<
 /// A lattice of about dp that fills each block, outside the bodies: its cells are stretched or pressed to go into the
 /// block a whole number of times.
 Fluid fill_with_fluid(const SimulationSetup& setup, const std::vector<Box>& blocks);
-/// The same for each level of the setup's zones, coarsest first: those that stand in its zone, and the guards round it.
+/// The same for each level of the setup's zones, coarsest first: those that stand in its zone, and the buffer particles
+/// round it.
 std::vector<Fluid> fill_levels(const SimulationSetup& setup, const std::vector<Box>& blocks);
 /// The same lattice in what the blocks of water leave of the domain; depth from the highest block's top.
 Fluid fill_with_air(const SimulationSetup& setup, const std::vector<Box>& water);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What the kernels for a GPU have to be, read off their PTX: no kernel calls a function; the sweeps over pairs and the search
-# for neighbours keep nothing in local memory; no sweep over pairs computes in double precision. Where the toolkit's ptxas is
-# found, the sweeps take at most 64 registers a thread for compute capability 9.0, and the bytes that they spill are shown
+# What the kernels for a GPU have to be, read off their PTX: no kernel calls a function; the loops over pairs and the search
+# for neighbours keep nothing in local memory; no loop over pairs computes in double precision. Where the toolkit's ptxas is
+# found, the pair loops take at most 64 registers a thread for compute capability 9.0, and the bytes that they spill are shown
 # (128 at most: half of the threads that a multiprocessor can hold are worth more than no spills, docs/decisions/068).
 #
 #   tools/check_kernels.sh FILE.ptx
@@ -10,7 +10,7 @@
 set -uo pipefail
 [ $# = 1 ] && [ -r "$1" ] || { sed -n '2,10p' "${BASH_SOURCE[0]}" | cut -c3-; exit 2; }
 status=0
-pairs='tw_first_sweep|tw_second_sweep|tw_extrapolate|tw_interpolate|tw_near_air'
+pairs='tw_first_pair_loop|tw_second_pair_loop|tw_extrapolate|tw_interpolate|tw_near_air'
 pairs+='|tw_meet_other|tw_press_other|tw_velocity_at_walls|tw_friction|tw_strain_rate|tw_colour_gradient|tw_curvature'
 faults=$(awk -v pairs="^($pairs)$" -v flat="^($pairs|tw_prune|tw_search)$" '
     /\.entry/ { split($3, name, "("); kernel = name[1]; ++kernels }
@@ -36,7 +36,7 @@ fi
                 printf "%s: %d registers, %d bytes spilled\n", kernel, registers[kernel], spill[kernel]
                 if (registers[kernel] > 64 || spill[kernel] > 128) { print kernel ": too many"; bad = 1 }
             }
-        if (seen < 4) { print "ptxas said nothing of the sweeps"; bad = 1 }
+        if (seen < 4) { print "ptxas said nothing of the pair loops"; bad = 1 }
         exit bad
     }' || status=1
 exit $status

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/pair_loops/groups.h"
 
 namespace tw {
 
@@ -27,7 +27,7 @@ public:
     virtual void each(const char* kernel, const void* body, std::size_t count) = 0;
     virtual double largest(const char* kernel, const void* value, std::size_t count) = 0;  ///< 0 or more
     virtual void pairs(const char* kernel, const void* view, std::span<const Group> groups) = 0;
-    /// The sweep of a view over those of the groups that a condition chooses, which get to `chosen`.
+    /// The pair loop of a view over those of the groups that a condition chooses, which get to `chosen`.
     virtual void pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups,
                              Group* chosen, const char* kernel, const void* view) = 0;
     virtual std::unique_ptr<RoomOnDevice> make_room() = 0;
@@ -55,7 +55,7 @@ public:
     }
     T* data() const { return at_; }  ///< where the loops run; null: it was never used
     /// What it holds here, which a device is asked for.
-    const std::vector<T>& bring_home() {
+    const std::vector<T>& copy_to_host() {
         if (there_) {
             here_.resize(size_);
             there_->give(here_.data(), size_ * sizeof(T));

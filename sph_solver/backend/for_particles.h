@@ -4,14 +4,14 @@
 // loops over particles (set-up, files, copies) are written out where they are needed. A device has loops of its own
 // (device_loops.h); an effect reaches both through StepView.
 //
-// A body writes only what belongs to its own index, and sums over particles are those of base/exact_sum.h, which are the
-// same in any order: so any number of threads gives the same bits, and any order in which the particles are kept.
+// A body writes only what belongs to its own index, and sums over particles are those of base/exact_sum.h, which are
+// the same in any order: so any number of threads gives the same bits, and any order in which the particles are kept.
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/pair_loops/groups.h"
 
 namespace tw {
 
@@ -54,7 +54,7 @@ void on_each_of(int threads, const Body& body) {
     body();
 }
 
-/// Runs a sweep over the neighbours of all groups: the one that reads and writes `View`.
+/// Runs a pair loop over the neighbours of all groups: the one that reads and writes `View`.
 template <class Variant, class View>
 void for_pairs(const Variant& passes, const View& view, std::span<const Group> groups) {
     constexpr std::size_t block = 16;

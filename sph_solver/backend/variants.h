@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sph_solver/sweeps/passes.h"
+#include "sph_solver/pair_loops/passes.h"
 
 namespace tw {
 

@@ -29,7 +29,7 @@ public:
     virtual Vec3 surface_velocity(const Vec3& /*x*/, std::int32_t /*triangle*/) const { return Vec3::Zero(); }
     /// The same of a rigid body everywhere.
     virtual WallMotion surface_motion() const { return {}; }
-    /// What says it of a body that gives way; empty: it does not.
+    /// What says it of a body that deforms; empty: it does not.
     struct Skin {
         std::span<const Corners> corners;
         std::span<const V3<double>> noted, velocity;  ///< as SkinMotion has them
@@ -42,7 +42,7 @@ public:
     virtual void reorder(const std::vector<std::int32_t>& order) { at_start_ = reordered(at_start_, order); }
     virtual std::size_t bytes() const { return at_start_.capacity() * sizeof(Vec3); }
 
-    const std::vector<Vec3>& at_start() const { return at_start_; }  ///< empty of a body that gives way
+    const std::vector<Vec3>& at_start() const { return at_start_; }  ///< empty of a body that deforms
 
 protected:
     template <class T>

@@ -58,7 +58,7 @@ struct BodyStep {
 ///
 /// In a step of the finest particles, the calls are
 ///
-///   look_ahead(drift)                          to where the water is found by its sweeps
+///   look_ahead(drift)                          to where the water is found by its pair loops
 ///   take(...), rehearse(step)                  as often as the body asks for; the forces are found anew after each
 ///   take(...), move(step)                      through the step
 ///   strike(...)                                what the walls had to hold at the step's end
@@ -79,25 +79,25 @@ public:
     /// Whether the water has no part in how it moves.
     virtual bool prescribed() const { return fixed(); }
     /// Whether its shape changes.
-    virtual bool gives_way() const { return false; }
+    virtual bool is_deformable() const { return false; }
     /// Whether no point of it ever moves along an axis (0..2), as of a hull free in heave and pitch across its length.
     virtual bool stays_along(int /*axis*/) const { return fixed(); }
     /// Whether it may touch the tank's wall of this normal into the tank, because its contact with that is solved.
     virtual bool meets_wall(const Vec3& /*normal*/) const { return false; }
 
     // --- where it is
-    /// Where a point of the body is now that was at `x` at the start, and back [m]; of one that gives way back to where
+    /// Where a point of the body is now that was at `x` at the start, and back [m]; of one that deforms back to where
     /// `query` sees its surface.
     virtual Vec3 now(const Vec3& x) const { return x; }
     virtual Vec3 at_start(const Vec3& x) const { return x; }
-    /// Directions likewise; of one that gives way as they are.
+    /// Directions likewise; of one that deforms as they are.
     virtual Vec3 turned(const Vec3& v) const { return v; }
     virtual Vec3 turned_back(const Vec3& v) const { return v; }
     /// Its surface now. `span`: of a section, how far its prism reaches [m].
     virtual Surface surface_now(std::optional<double> span = {}) const;
     Box bounds() const { return surface_now().bounds(); }
-    virtual MovedSolid moved() const { return {bounds()}; }  ///< of one that gives way without the way
-    /// Of the surface as it stood at the start; of one that gives way as it stood when it was last noted.
+    virtual MovedSolid moved() const { return {bounds()}; }  ///< of one that deforms without the way
+    /// Of the surface as it stood at the start; of one that deforms as it stood when it was last noted.
     virtual const SurfaceQuery& query() const { return query_; }
     virtual void note_surface() {}  ///< for `query`, when lists are made
 
@@ -113,13 +113,13 @@ public:
     /// The step that the body takes where `dt` is allowed [s].
     virtual double step_within(double dt) const { return dt; }
     /// How often it wants to try a step before it makes it.
-    virtual int rehearsals() const { return 0; }
+    virtual int sub_iterations() const { return 0; }
     virtual void look_ahead(double /*drift*/) {}
-    virtual void rehearse(const BodyStep& /*step*/) {}
+    virtual void sub_iterate(const BodyStep& /*step*/) {}
     virtual void move(const BodyStep& /*step*/) {}
     /// Blows of particles that a wall had to hold: all together, or place by place.
-    virtual void strike(const Impulse& /*all*/) {}
-    virtual void strike(const WallStrike& /*place*/) {}
+    virtual void take_impulse(const Impulse& /*all*/) {}
+    virtual void take_impulse(const WallImpulse& /*place*/) {}
 
     // --- take: what the water does to it in the next `rehearse` or `move`
     virtual void take(const Load& /*load*/) {}
@@ -142,8 +142,8 @@ public:
     virtual void describe(const Load& /*load*/, const Note& /*note*/) const {}
     /// Whether the work of the water is in that description.
     virtual bool knows_its_work() const { return false; }
-    /// Energy that its interface with the water has made lately, over that exchanged [-]; nothing where none can be made.
-    /// Beyond `trusted_interface_energy` the interface is not trusted.
+    /// Energy that its interface with the water has made lately, over that exchanged [-]; nothing where none can be
+    /// made. Beyond `trusted_interface_energy` the interface is not trusted.
     virtual std::optional<double> energy_made_lately() const { return {}; }
     /// All that changes, for a restart that goes on to the same bits.
     virtual std::vector<double> state() const { return {}; }

@@ -17,8 +17,8 @@ std::vector<Vec3> places_on(const Surface& surface, const Surroundings& around, 
                                   : SurfaceSamples(surface, dp, surface.bounds()).points.places;
 }
 
-/// The wall of the tank, other than those with which the contact of `body` is solved, that a place [m] has come to within
-/// `gap` of; empty: none.
+/// The wall of the tank, other than those with which the contact of `body` is solved, that a place [m] has come to
+/// within `gap` of; empty: none.
 std::string wall_at(const Vec3& x, const Surroundings& around, double gap, const Body* body = nullptr) {
     static constexpr const char* sides[3][2] = {{"the wall at low x", "the wall at high x"},
                                                 {"the wall at low y", "the wall at high y"},
@@ -41,7 +41,7 @@ Collisions::Collisions(const Bodies& bodies, const Surroundings& around, double 
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b]->fixed()) continue;
         const std::vector<Vec3> places = places_on(bodies[b]->surface(), around, dp);
-        skin_[b] = bodies[b]->attach(bodies[b]->gives_way() ? clear_at_start(b, places) : places);
+        skin_[b] = bodies[b]->attach(bodies[b]->is_deformable() ? clear_at_start(b, places) : places);
     }
 }
 
@@ -58,7 +58,7 @@ std::vector<Vec3> Collisions::clear_at_start(std::size_t body, const std::vector
     return clear;
 }
 
-std::string Collisions::of_one_that_gives_way(std::size_t body, double gap) const {
+std::string Collisions::of_a_deformable_one(std::size_t body, double gap) const {
     for (std::size_t k = 0; k < skin_[body]->size(); ++k) {
         const Vec3 x = skin_[body]->place(k);
         if (const std::string wall = wall_at(x, around_, gap, bodies_[body].get()); !wall.empty())
@@ -88,7 +88,7 @@ std::string Collisions::with_domain(const Body& body, double gap) const {
 }
 
 std::string Collisions::with_edge(std::size_t body) const {
-    constexpr double nearest = 6;  // spacings: what guards and dummies fill on both sides of an edge
+    constexpr double nearest = 6;  // spacings: what buffer particles and dummies fill on both sides of an edge
     if (!zone_) return {};
     for (std::size_t k = 0; k < skin_[body]->size(); ++k)
         if (const Vec3 x = skin_[body]->place(k); x.z() < 0 && zone_->outside(x) > -nearest * dp_)
@@ -114,7 +114,7 @@ std::string Collisions::of_rigid(std::size_t b, double gap) const {
 std::string Collisions::found(double gap) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b]->fixed()) continue;
-        const std::string found = bodies_[b]->gives_way() ? of_one_that_gives_way(b, gap) : of_rigid(b, gap);
+        const std::string found = bodies_[b]->is_deformable() ? of_a_deformable_one(b, gap) : of_rigid(b, gap);
         if (!found.empty()) return fmt::format("body {} {}", bodies_[b]->name(), found);
     }
     return {};

@@ -3,8 +3,8 @@
 
 namespace tw {
 
-/// What of a cell is on one side of a surface: so many of 6^3 samples (6^2 in two dimensions), and the centroid of these,
-/// which is the cell's middle where there are none.
+/// What of a cell is on one side of a surface: so many of 6^3 samples (6^2 in two dimensions), and the centroid of
+/// these, which is the cell's middle where there are none.
 struct CutCell {
     int within = 0, samples = 1;
     Vec3 centroid;

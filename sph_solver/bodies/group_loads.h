@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "sph_solver/bodies/load.h"
-#include "sph_solver/sweeps/groups.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
-/// Adds to the sum of each body what its walls do to the water, by what a sweep has left of each group's load: per unit
-/// of particle mass [m/s2], [m2/s2]. `arm`: from the point of reference to a group's centre [m].
+/// Adds to the sum of each body what its walls do to the water, by what a pair loop has left of each group's load: per
+/// unit of particle mass [m/s2], [m2/s2]. `arm`: from the point of reference to a group's centre [m].
 ///
 /// Within a group the loads are summed in single precision, lane by lane. Who makes a group with whom depends on the
 /// places of the particles alone, not on how they are kept (neighbours/columns.h).

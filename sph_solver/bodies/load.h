@@ -43,12 +43,12 @@ struct WallPush {
     Vec3 place, force;  ///< [m], [N]
 };
 /// An impulse that a particle held at a wall gave to a place of it.
-struct WallStrike {
+struct WallImpulse {
     std::size_t body;
     std::int32_t triangle;
     Vec3 place, impulse;  ///< [m], [N s]
 };
-/// A blow to a body: impulse [N s], and its moment about the run's moment reference [N m s].
+/// An impulse to a body: impulse [N s], and its moment about the run's moment reference [N m s].
 struct Impulse {
     Vec3 impulse = Vec3::Zero(), turn = Vec3::Zero();
 };

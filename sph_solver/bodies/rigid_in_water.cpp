@@ -169,7 +169,7 @@ void RigidInWater::meet_walls(double ahead) {
     of_walls_.impulse += reaction.impulse, of_walls_.turn += reaction.turn;
 }
 
-void RigidInWater::strike(const Impulse& all) {
+void RigidInWater::take_impulse(const Impulse& all) {
     if (all.impulse.isZero(0) && all.turn.isZero(0)) return;
     rigid_.kick(all.impulse, about_centre(all.impulse, all.turn), 1);
     meet_walls(ahead_);

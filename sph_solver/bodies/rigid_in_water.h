@@ -55,7 +55,7 @@ public:
     double stable_step() const override;
     void look_ahead(double drift) override { rigid_.drift(drift); }
     void move(const BodyStep& step) override;
-    void strike(const Impulse& all) override;
+    void take_impulse(const Impulse& all) override;
     void take(const Load& load) override { load_ = load, of_film_ = {}; }
     std::vector<Vec3> feels_at() const override;
     void take(const PointSamples& felt) override;

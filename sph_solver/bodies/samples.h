@@ -51,10 +51,10 @@ struct SurfaceSamples {
     ///
     ///   S = (1 - theta / pi) / 2,   0.06 <= S <= 0.47
     ///
-    /// A quarter where a side meets the surface squarely, nearly a half under a flat bottom. The upper bound keeps clear
-    /// of the noise of a wetted wall's own half (on the planing prism 0.498 to 0.525); it makes a bottom at 5 degrees to
-    /// the water 0.4 h too long, at 3 degrees 0.7 h, from 11 on nothing (decision 058). The lower bound does the same
-    /// on a deck.
+    /// A quarter where a side meets the surface squarely, nearly a half under a flat bottom. The upper bound keeps
+    /// clear of the noise of a wetted wall's own half (on the planing prism 0.498 to 0.525); it makes a bottom at 5
+    /// degrees to the water 0.4 h too long, at 3 degrees 0.7 h, from 11 on nothing (decision 058). The lower bound does
+    /// the same on a deck.
     static double waterline_support(double theta);
     /// theta: the angle of the patch itself, cos theta = -n_z.
     bool wet(std::size_t patch) const { return points.support[patch] >= on_patch_[patch]; }

@@ -4,12 +4,12 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/bodies/slip_normal.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
 Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-             const ColumnGrid& grid, const Quanta& quanta, int lanes)
+             const ColumnGrid& grid, const Quanta& fixed_point, int lanes)
     : bodies_(bodies), two_dimensional_(around.dimensions == 2), loads_(bodies.size()) {
     Box region = around.domain;
     region.min.array() -= kernel_support;
@@ -23,12 +23,12 @@ Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup&
             wanted.max[a] = body->surface().bounds().max[a] + level.dp;
         }
         const Dummies d = body->dummies({level.dp, kernel_support + level.dp, wanted, around.dimensions});
-        give_way_ = give_way_ || body->gives_way();
+        any_deformable_ = any_deformable_ || body->is_deformable();
         press_ = press_ || body->presses();
         Part& part = parts_.emplace_back();
         part.first = place_.size();
         std::vector<WidePlace> raw(d.places.size());
-        for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = quanta.wide(d.places[k]);
+        for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = fixed_point.wide(d.places[k]);
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, part.start);
         std::vector<Vec3> places;
@@ -50,7 +50,7 @@ Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup&
     if (keep_places) acceleration_.resize(place_.size());
     if (all_fixed(bodies)) return;
     velocity_.resize(place_.size());
-    follow(quanta);
+    follow(fixed_point);
 }
 
 double Walls::fastest() const {
@@ -70,7 +70,7 @@ void Walls::note_motions() {
     for (const auto& body : attached_) body->look();
 }
 
-void Walls::follow(const Quanta& quanta) {
+void Walls::follow(const Quanta& fixed_point) {
     if (!move()) return;
     note_motions();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -81,7 +81,7 @@ void Walls::follow(const Quanta& quanta) {
             const Vec3 x = points.place(k);
             const Attached::Motion motion = points.motion(k, x);
             const Eigen::Vector3f u = motion.velocity.cast<float>(), a = motion.acceleration.cast<float>();
-            place_[first + k] = quanta.wide(x).record(place_[first + k].volume);
+            place_[first + k] = fixed_point.wide(x).record(place_[first + k].volume);
             velocity_[first + k] = {u.x(), u.y(), u.z()};
             acceleration_[first + k] = {a.x(), a.y(), a.z()};
         }
@@ -100,14 +100,14 @@ void Walls::feel(const FrameForce& f, const Vec3& gravity) {
     }
 }
 
-void Walls::sort(const ColumnGrid& grid, const Quanta& quanta, int lanes) {
+void Walls::sort(const ColumnGrid& grid, const Quanta& fixed_point, int lanes) {
     if (!move()) return;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b]->fixed()) continue;
         Part& part = parts_[b];
         Attached& points = *attached_[b];
         std::vector<WidePlace> raw;
-        for (std::size_t k = 0; k < points.size(); ++k) raw.push_back(quanta.wide(points.place(k)));
+        for (std::size_t k = 0; k < points.size(); ++k) raw.push_back(fixed_point.wide(points.place(k)));
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, part.start);
         const std::vector<PlaceRecord> place(place_.begin() + static_cast<std::ptrdiff_t>(part.first),
@@ -119,7 +119,7 @@ void Walls::sort(const ColumnGrid& grid, const Quanta& quanta, int lanes) {
         points.reorder(order);
         make_groups({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.groups);
     }
-    follow(quanta);
+    follow(fixed_point);
 }
 
 Dummies Walls::dummies(std::size_t body) const {
@@ -128,20 +128,20 @@ Dummies Walls::dummies(std::size_t body) const {
     return d;
 }
 
-void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta,
+void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& fixed_point,
                             std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
                             const std::function<bool(int column)>& own) {
     std::vector<Source> dummies;
     for (const Part& part : parts_)
         dummies.push_back({&grid, place_.data() + part.first, &part.start, static_cast<std::int32_t>(part.first)});
-    lists_.build(passes, quanta, sources.front(), groups, dummies, reaches, &Group::wall_list);
+    lists_.build(passes, fixed_point, sources.front(), groups, dummies, reaches, &Group::wall_list);
     for (Part& part : parts_) {
         const Source own_places{&grid, place_.data() + part.first, &part.start, 0};
         if (own)
             make_groups(own_places, passes.lanes, part.near_water, own);
         else
             part.near_water = part.groups;
-        part.water.build(passes, quanta, own_places, part.near_water, sources, reaches);
+        part.water.build(passes, fixed_point, own_places, part.near_water, sources, reaches);
         std::erase_if(part.near_water, [](const Group& g) { return g.list.size == 0; });
     }
     std::fill(p_.begin(), p_.end(), 0.0f);
@@ -182,7 +182,7 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
         // the rounding of a normal would be enough: water pressed in a plane buckles out of it
         if (two_dimensional_) n = Vec3(n.x(), 0, n.z()).normalized();
         const std::optional<double> passes =
-            body.gives_way()  ? std::nullopt  // of these the forces on dummies know none
+            body.is_deformable() ? std::nullopt  // of these the forces on dummies know none
             : found.on_face() ? time_to_edge(body.query(), found, body.at_start(x), body.turned_back(relative), reach)
                               : 0;
         const Eigen::Vector3f way = passes ? relative.cast<float>().eval() : Eigen::Vector3f::Zero().eval();

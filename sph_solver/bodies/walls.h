@@ -19,7 +19,7 @@ class Walls {
 public:
     /// `bodies` must outlive this. `kernel_support`: 2h of the level [m]; `lanes`: of its passes.
     Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-          const ColumnGrid& grid, const Quanta& quanta, int lanes);
+          const ColumnGrid& grid, const Quanta& fixed_point, int lanes);
 
     bool empty() const { return place_.empty(); }
     std::size_t size() const { return place_.size(); }
@@ -49,8 +49,8 @@ public:
     bool move() const { return !velocity_.empty(); }  ///< some body is not fixed
     /// The largest speed of a dummy now [m/s].
     double fastest() const;
-    bool give_way() const { return give_way_; }  ///< some body changes its shape
-    bool press() const { return press_; }        ///< some body presses on particles (wall_pushes.h)
+    bool any_deformable() const { return any_deformable_; }  ///< some body changes its shape
+    bool press() const { return press_; }                    ///< some body presses on particles (wall_pushes.h)
     /// Of the surface of a body at a place, as `note_motions` found it [m/s]. `triangle`: of the surface, there.
     Vec3 velocity_at(std::size_t body, const Vec3& x, std::int32_t triangle) const {
         return attached_[body]->surface_velocity(x, triangle);
@@ -60,32 +60,32 @@ public:
     /// Looks at how the bodies move now.
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
-    void follow(const Quanta& quanta);
+    void follow(const Quanta& fixed_point);
     /// The same, with the dummies sorted anew; lists are due after it.
-    void sort(const ColumnGrid& grid, const Quanta& quanta, int lanes);
+    void sort(const ColumnGrid& grid, const Quanta& fixed_point, int lanes);
     /// Adds gravity - f to the accelerations of the dummies, so that water at rest against them presses as under the
     /// force f of a tank that moves. After `follow`.
     void feel(const FrameForce& f, const Vec3& gravity);
     /// The body's dummies as points that go with it; null where all bodies are fixed.
     const Attached* attached(std::size_t body) const { return attached_.empty() ? nullptr : attached_[body].get(); }
-    Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that gives way without places
+    Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that deforms without places
 
     /// Lists anew: of the level's `groups`, which are those of the first of its `sources`, among the dummies, and of
     /// the dummies in the `own` columns among the sources.
-    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& quanta, std::vector<Group>& groups,
-                         const std::vector<Source>& sources, const Reaches& reaches,
+    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& fixed_point,
+                         std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
                          const std::function<bool(int column)>& own);
     /// Who tells whom of dummies: each is worked out by the rank whose column it stands in.
     void set_halo(const Comm& ranks, const Decomposition& columns);
     const Halo& halo() const { return halo_; }
-    /// Leaves in those lists who is within `reach` [quanta] now.
+    /// Leaves in those lists who is within `reach` [fixed-point units] now.
     void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
 
     using Nearest = NearestWall;
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
 
-    /// What the sweeps have left of each group's load: one WallLoad for each body that the group has in reach.
+    /// What the pair loops have left of each group's load: one WallLoad for each body that the group has in reach.
     std::vector<WallLoad>& group_loads() { return group_loads_; }
     std::size_t group_load_count() const { return group_loads_.size(); }
     std::size_t bytes() const;
@@ -103,7 +103,7 @@ private:
     std::size_t end_of(std::size_t body) const { return static_cast<std::size_t>(body_end_[body]); }
 
     const Bodies& bodies_;
-    bool two_dimensional_, give_way_ = false, press_ = false;
+    bool two_dimensional_, any_deformable_ = false, press_ = false;
     std::vector<PlaceRecord> place_;  // body after body, each sorted by column
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;

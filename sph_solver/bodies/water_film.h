@@ -9,10 +9,10 @@
 
 namespace tw {
 
-/// Water between a body and a wall of the tank that it stands on, where no particle fits: a film in a gap of even width.
-/// Slow or sudden, viscous or not, its pressure without the weight of the water is harmonic over the faces at the wall,
-/// and that of the water round them is its boundary value (Reynolds 1886 for a viscous film, and of an inviscid one
-/// div du/dt = -lap p / rho0 = 0 across the gap):
+/// Water between a body and a wall of the tank that it stands on, where no particle fits: a film in a gap of even
+/// width. Slow or sudden, viscous or not, its pressure without the weight of the water is harmonic over the faces at
+/// the wall, and that of the water round them is its boundary value (Reynolds 1886 for a viscous film, and of an
+/// inviscid one div du/dt = -lap p / rho0 = 0 across the gap):
 ///
 ///   lap (p - rho0 f . x) = 0 at the wall,   p = 0 where the rim is dry,   p >= 0
 ///
@@ -20,10 +20,10 @@ namespace tw {
 /// (Goda 1974, doi:10.1061/9780872621138.103). All round in still water it is that of the depth, so Archimedes lifts a
 /// body that stands on the floor. Left out: what it takes to fill the gap when it opens, its added mass.
 ///
-/// So near a wall the force on the body is the integral of the pressure on its whole surface, the film's and that which is
-/// sampled from particles; the pair forces miss what the particles' images behind the wall do to it. It replaces those
-/// within one spacing of the wall, and does no more beyond two. The faces are patches of at most dp; lap is the graph
-/// Laplacian of neighbours with weights 1 / r^2.
+/// So near a wall the force on the body is the integral of the pressure on its whole surface, the film's and that which
+/// is sampled from particles; the pair forces miss what the particles' images behind the wall do to it. It replaces
+/// those within one spacing of the wall, and does no more beyond two. The faces are patches of at most dp; lap is the
+/// graph Laplacian of neighbours with weights 1 / r^2.
 class WaterFilm {
 public:
     WaterFilm(const Surface& surface, int dimensions, double dp);
@@ -41,8 +41,8 @@ private:
         double weight;  ///< [1/m2]
     };
     void find_neighbours();
-    /// Lets the heads of the patches in `film` be the mean of their neighbours'; of dry ones that of no pressure where the
-    /// patch of the film itself is.
+    /// Lets the heads of the patches in `film` be the mean of their neighbours'; of dry ones that of no pressure where
+    /// the patch of the film itself is.
     void settle(const std::vector<std::size_t>& film, const std::vector<double>& dry_head, const std::vector<char>& wet,
                 std::vector<double>& head) const;
 

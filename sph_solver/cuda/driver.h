@@ -15,8 +15,8 @@ namespace tw::cuda {
 /// device that can be used, InputError says why.
 class Device {
 public:
-    /// The first of the machine's that can be used, in the driver's order: it hides those that CUDA_VISIBLE_DEVICES does
-    /// not name.
+    /// The first of the machine's that can be used, in the driver's order: it hides those that CUDA_VISIBLE_DEVICES
+    /// does not name.
     static std::shared_ptr<Device> open();
     /// Why none can be used; empty: one can. Neither this nor its name opens it, which translates the kernels.
     static std::string reason_against();

@@ -8,13 +8,13 @@
 
 namespace tw::cuda {
 
-/// Particles that follow another level: its guards, or what stands for a finer level's water.
+/// Particles that follow another level: its buffer particles, or what stands for a finer level's water.
 struct MarkFollowing {
     const Kind* kind;
-    bool guards;
+    bool buffers;
     int* follows;
 
-    void operator()(std::size_t i) const { follows[i] = guards ? kind[i] == Kind::guard : stands_for_finer(kind[i]); }
+    void operator()(std::size_t i) const { follows[i] = buffers ? kind[i] == Kind::buffer : stands_for_finer(kind[i]); }
 };
 /// What is marked, one after another.
 struct ListMarked {
@@ -29,13 +29,13 @@ struct ListMarked {
 struct PlacesToAsk {
     StateView p;
     double ahead;  ///< [s]
-    ToQuanta to_quanta;
+    ToQuanta to_fixed_point;
     const int* which;
     WidePlace* wide;
 
     void operator()(std::size_t k) const {
         const V3<double> x = place_ahead(p, static_cast<std::size_t>(which[k]), ahead);
-        wide[k] = to_quanta.wide(x.x, x.y, x.z);
+        wide[k] = to_fixed_point.wide(x.x, x.y, x.z);
     }
 };
 /// The squares of their speeds.
@@ -46,7 +46,7 @@ struct FastestOf {
     double operator()(std::size_t k) const { return speed2(p, static_cast<std::size_t>(which[k])); }
 };
 
-/// What a sweep has found at sorted places.
+/// What a pair loop has found at sorted places.
 struct FoundAt {
     const int* order;  ///< which place stands at k
     const VelocityDensityRecord* value;
@@ -110,10 +110,10 @@ struct ForgetEdge {
 struct Left {
     Located at;
     bool stays;  ///< as spray
-    bool far;    ///< where guards are gone
+    bool far;    ///< where buffer particles are gone
 };
 struct LeaveZone {
-    BecomeGuard become;
+    BecomeBuffer become;
     FoundAt found;
     StateView p;
     const int* which;
@@ -144,23 +144,23 @@ struct MarkStaying {
 };
 struct MarkParents {
     const Kind* kind;
-    const Children* children;
+    const Daughters* daughters;
     const double* outside;
     double within;
     int* marks;
 
-    void operator()(std::size_t i) const { marks[i] = Parent::is(kind[i], children[i], outside[i], within); }
+    void operator()(std::size_t i) const { marks[i] = Parent::is(kind[i], daughters[i], outside[i], within); }
 };
 struct TakeParents {
     StateView p;
-    Children* children;
+    Daughters* daughters;
     const int* which;
     Parent* to;
 
     void operator()(std::size_t k) const {
         const auto i = static_cast<std::size_t>(which[k]);
-        to[k] = {which[k], {p.x[i], p.y[i], p.z[i]}, {p.u[i], p.v[i], p.w[i], p.drho[i]}, children[i]};
-        children[i] = Children::all;
+        to[k] = {which[k], {p.x[i], p.y[i], p.z[i]}, {p.u[i], p.v[i], p.w[i], p.drho[i]}, daughters[i]};
+        daughters[i] = Daughters::all;
     }
 };
 struct MarkBetween {
@@ -182,12 +182,12 @@ struct TakeLocated {
 };
 /// Puts them behind the n that are there.
 struct AddChildren {
-    const Child* children;
+    const Child* daughters;
     FieldsView on;
     std::size_t n;
 
     void operator()(std::size_t k) const {
-        const Child& c = children[k];
+        const Child& c = daughters[k];
         const std::size_t i = n + k;
         on.begin(i);
         on.x[i] = c.place.x, on.y[i] = c.place.y, on.z[i] = c.place.z;
@@ -248,7 +248,7 @@ struct Hand {
         follow(static_cast<std::size_t>(which[found.order[k]]), given);
     }
 };
-using HandToGuards = Hand<FollowCoarser>;
+using HandToBuffers = Hand<FollowCoarser>;
 using HandToUnder = Hand<FollowFiner>;
 /// The same for places of the host, in their order.
 struct HandToHost {

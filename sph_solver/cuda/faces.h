@@ -45,7 +45,7 @@ struct PutBack {
     ReturnFromMirrors mirrors;
     double top;  ///< [m]
     bool open_top;
-    ToQuanta to_quanta;
+    ToQuanta to_fixed_point;
     const int* gone;  ///< null: nobody is
     WidePlace* wide;
     std::uint8_t* left;
@@ -54,7 +54,7 @@ struct PutBack {
         mirrors(i);
         const StateView& p = mirrors.p;
         left[i] = (gone && gone[i]) || (open_top && p.z[i] > top);
-        wide[i] = to_quanta.wide(p.x[i], p.y[i], p.z[i]);
+        wide[i] = to_fixed_point.wide(p.x[i], p.y[i], p.z[i]);
     }
 };
 

@@ -2,13 +2,13 @@
 // The kernels by name and by the type of what they do, once for all who make or start them (launch.h): a line each.
 // clang-format off
 
-// Sweeps over groups and their neighbours: sweep(NAME, VIEW).
-#define TW_DEVICE_SWEEPS(sweep)             \
-    sweep(tw_prune,        PruneData)       \
-    sweep(tw_first_sweep,  FirstSweepData)  \
-    sweep(tw_second_sweep, SecondSweepData) \
-    sweep(tw_extrapolate,  ExtrapolateData) \
-    sweep(tw_interpolate,  InterpolateData)
+// Pair loops over groups and their neighbours: pair loop(NAME, VIEW).
+#define TW_DEVICE_PAIR_LOOPS(pair_loop)             \
+    pair_loop(tw_prune,        PruneData)       \
+    pair_loop(tw_first_pair_loop,  FirstPairLoopData)  \
+    pair_loop(tw_second_pair_loop, SecondPairLoopData) \
+    pair_loop(tw_extrapolate,  ExtrapolateData) \
+    pair_loop(tw_interpolate,  InterpolateData)
 
 // One index by one thread: task(NAME, TASK).
 #define TW_DEVICE_TASKS(task)                                    \
@@ -46,7 +46,7 @@
     task(tw_put_giving,              cuda::PutGiving)            \
     task(tw_start_giving,            cuda::StartGiving)          \
     task(tw_sort_asked,              cuda::SortAsked)            \
-    task(tw_hand_to_guards,          cuda::HandToGuards)         \
+    task(tw_hand_to_buffers,          cuda::HandToBuffers)         \
     task(tw_hand_to_under,           cuda::HandToUnder)          \
     task(tw_hand_to_host,            cuda::HandToHost)           \
     task(tw_ask_coarse,              cuda::LabelCoarseAsked)     \
@@ -58,7 +58,7 @@
     task(tw_take_parents,            cuda::TakeParents)          \
     task(tw_mark_between,            cuda::MarkBetween)          \
     task(tw_take_located,            cuda::TakeLocated)          \
-    task(tw_add_children,            cuda::AddChildren)          \
+    task(tw_add_daughters,            cuda::AddChildren)          \
     task(tw_forget_edge,             cuda::ForgetEdge)
 
 // The same, of tasks that count: they are given an atomic `add_one(counter)`.

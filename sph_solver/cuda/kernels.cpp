@@ -1,5 +1,5 @@
-// Everything that runs on a device, for clang++ -x cuda --cuda-device-only: the sweeps and the loops as they stand in
-// their files. Compiled twice: as fast as may be, and with TW_STRICT to the bits of the variant device_emulated.
+// Everything that runs on a device, for clang++ -x cuda --cuda-device-only: the pair loops and the loops as they stand
+// in their files. Compiled twice: as fast as may be, and with TW_STRICT to the bits of the variant device_emulated.
 #define __host__ __attribute__((host))
 #define __device__ __attribute__((device))
 extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x); }  // beside the host's
@@ -26,26 +26,26 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/force_on_dummies.h"
-#include "sph_solver/sweeps/engine_isa.cpp"
-#include "sph_solver/sweeps/interpolate_isa.cpp"
-#include "sph_solver/sweeps/level_pair_isa.cpp"
+#include "sph_solver/pair_loops/engine_isa.cpp"
+#include "sph_solver/pair_loops/interpolate_isa.cpp"
+#include "sph_solver/pair_loops/level_pair_isa.cpp"
 #pragma clang force_cuda_host_device end
 
 namespace tw {
 using on_device::pass;
 
-#define sweep(name, View) \
-    TW_SWEEP_KERNEL name(View d, const Group* groups, int count) { pass(d, groups, count); }
-TW_DEVICE_SWEEPS(sweep)
-TW_EFFECT_SWEEPS(sweep)
-TW_PAIR_SWEEPS(sweep)
-#undef sweep
+#define pair_loop(name, View) \
+    TW_PAIR_LOOP_KERNEL name(View d, const Group* groups, int count) { pass(d, groups, count); }
+TW_DEVICE_PAIR_LOOPS(pair_loop)
+TW_EFFECT_PAIR_LOOPS(pair_loop)
+TW_PAIR_PAIR_LOOPS(pair_loop)
+#undef pair_loop
 
 /// How many groups were chosen is known to the device alone.
-#define sweep(name, View) \
-    TW_SWEEP_KERNEL name(View d, const Group* groups, const int* count) { pass(d, groups, *count); }
-TW_EFFECT_SWEEPS_OF_CHOSEN(sweep)
-#undef sweep
+#define pair_loop(name, View) \
+    TW_PAIR_LOOP_KERNEL name(View d, const Group* groups, const int* count) { pass(d, groups, *count); }
+TW_EFFECT_PAIR_LOOPS_OF_CHOSEN(pair_loop)
+#undef pair_loop
 
 #define task(name, Task)                           \
     TW_KERNEL name(Task task, std::size_t count) { \
@@ -132,8 +132,8 @@ TW_KERNEL tw_search(cuda::SearchNeighbours task, const Group* groups, int count)
     }
 }
 
-// What the card can do at most, for benchmarks: 16 fused products and sums a round, in eight chains; and reading an array
-// over and over that the second cache holds.
+// What the card can do at most, for benchmarks: 16 fused products and sums a round, in eight chains; and reading an
+// array over and over that the second cache holds.
 TW_KERNEL tw_peak_arithmetic(cuda::PeakArithmetic peak) {
     const auto [result, rounds] = peak;
     float x[8];

@@ -1,6 +1,6 @@
 #pragma once
-// How the host starts kernels: by the type of what they do. Its name, and what the kernel is given beside it, stand in the
-// lists of kernels, once (KernelOf: device/kernel_of.h).
+// How the host starts kernels: by the type of what they do. Its name, and what the kernel is given beside it, stand in
+// the lists of kernels, once (KernelOf: device/kernel_of.h).
 #include <cstddef>
 
 #include "sph_solver/cuda/driver.h"
@@ -14,12 +14,12 @@
 #include "sph_solver/device/kernel_of.h"
 #include "sph_solver/device/launch.h"
 #include "sph_solver/loops/count_kinds.h"
-#include "sph_solver/sweeps/interpolate.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/interpolate.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
-TW_DEVICE_SWEEPS(TW_KERNEL_OF)
+TW_DEVICE_PAIR_LOOPS(TW_KERNEL_OF)
 TW_DEVICE_TASKS(TW_KERNEL_OF)
 TW_DEVICE_COUNTING_TASKS(TW_KERNEL_OF)
 TW_DEVICE_CHOICES(TW_KERNEL_OF)

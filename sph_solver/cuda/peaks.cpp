@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sph_solver/cuda/launch.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw::cuda {
 

@@ -5,7 +5,7 @@
 
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/neighbours/column_grid.h"
-#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/pair_loops/groups.h"
 
 namespace tw::cuda {
 
@@ -14,7 +14,7 @@ struct DeviceSource {
     const PlaceRecord* places;
     const int* start;  ///< first place of each column (times `stride`)
     int stride;
-    std::int32_t offset;  ///< index of the first place in the sweeps' index space
+    std::int32_t offset;  ///< index of the first place in the pair loops' index space
 
     int first_of(int column) const { return start[std::int64_t{column} * stride]; }
 };
@@ -24,8 +24,8 @@ struct HasNeighbours {
     bool operator()(const Group& g) const { return g.list.size > 0; }
 };
 
-/// Who is within reach of each group's particles, block by block as Search in neighbours/columns.cpp finds them. A first
-/// run counts the blocks, a second one writes them.
+/// Who is within reach of each group's particles, block by block as Search in neighbours/columns.cpp finds them. A
+/// first run counts the blocks, a second one writes them.
 struct SearchNeighbours {
     Columns columns;            ///< of the sources
     Columns of_groups;          ///< the same, or others over the same box
@@ -34,8 +34,8 @@ struct SearchNeighbours {
     Group* groups;
     const DeviceSource* sources;
     int source_count;
-    double reach;     ///< [quanta], with what the sources may have moved
-    Reaches reaches;  ///< [quanta]
+    double reach;     ///< [fixed-point units], with what the sources may have moved
+    Reaches reaches;  ///< [fixed-point units]
     bool write;       ///< the second run
     int* count;       ///< of blocks; in the second run the first of each group's
     NeighbourBlock* blocks;

@@ -1,6 +1,6 @@
 #pragma once
-// Sorting places into the order of neighbours/columns.h, with their images and in groups, as a device does it: plain data
-// for kernels, as in tasks.h. The order is a function of the places alone, whoever came first.
+// Sorting places into the order of neighbours/columns.h, with their images and in groups, as a device does it: plain
+// data for kernels, as in tasks.h. The order is a function of the places alone, whoever came first.
 #include <cstddef>
 #include <cstdint>
 
@@ -9,14 +9,14 @@
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/loops/link_map.h"
 #include "sph_solver/neighbours/column_grid.h"
-#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/pair_loops/groups.h"
 
 namespace tw::cuda {
 
 /// A column cut into bins of some height: sorted within a bin, and bin by bin, places are sorted within a column.
 struct Bins {
     Columns columns;
-    std::int64_t height;  ///< [quanta]
+    std::int64_t height;  ///< [fixed-point units]
     int in_column;
 
     int count() const { return columns.count() * in_column; }
@@ -101,14 +101,14 @@ struct FindImages {
     StateView p;
     ImagesNear near;
     const LinkMap* maps;
-    ToQuanta to_quanta;
+    ToQuanta to_fixed_point;
     const int* first;
     Link* links;
     WidePlace* wide;
 
     void operator()(std::size_t i) const {
         int k = first[i];
-        const WidePlace own = to_quanta.wide(p.x[i], p.y[i], p.z[i]);
+        const WidePlace own = to_fixed_point.wide(p.x[i], p.y[i], p.z[i]);
         near(p.x[i], p.y[i], p.z[i], [&](unsigned number) {
             links[k] = {static_cast<std::int32_t>(i), static_cast<std::uint16_t>(number)};
             wide[k++] = maps[number].place(own);
@@ -155,7 +155,7 @@ struct MakeGroups {
     }
 };
 
-/// A box round a group [quanta].
+/// A box round a group [fixed-point units].
 struct GroupBox {
     std::int64_t lo[3], hi[3];
 };

@@ -1,6 +1,6 @@
 #pragma once
-// What a device is asked to do beside the sweeps: plain data for kernels, each with what is done to one particle, image,
-// word or group. `Task::operator()(i)` is one index's part; any order of them gives the same.
+// What a device is asked to do beside the pair loops: plain data for kernels, each with what is done to one particle,
+// image, word or group. `Task::operator()(i)` is one index's part; any order of them gives the same.
 #include <cstddef>
 #include <cstdint>
 
@@ -8,12 +8,12 @@
 #include "sph_solver/equations/state_equation.h"
 #include "sph_solver/fields/field_list.h"
 #include "sph_solver/ghosts/laws.h"
-#include "sph_solver/loops/after_first_sweep.h"
+#include "sph_solver/loops/after_first_pair_loop.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/loops/records.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/loops/wall_motion.h"
-#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/pair_loops/groups.h"
 
 namespace tw::cuda {
 
@@ -66,10 +66,10 @@ struct PressureOfState {
     double rho0;
     float operator()(float drho) const { return state.pressure(rho0, drho); }
 };
-/// AfterFirstSweep beside walls.
+/// AfterFirstPairLoop beside walls.
 template <class Pressure>
 struct Compress {
-    AfterFirstSweep after;
+    AfterFirstPairLoop after;
     NearWalls walls;
     Pressure pressure;
 
@@ -80,7 +80,7 @@ struct Compress {
     }
 };
 template <class Pressure>
-Compress(AfterFirstSweep, NearWalls, Pressure) -> Compress<Pressure>;
+Compress(AfterFirstPairLoop, NearWalls, Pressure) -> Compress<Pressure>;
 using CompressLinearly = Compress<LinearPressure>;
 using CompressByState = Compress<PressureOfState>;
 

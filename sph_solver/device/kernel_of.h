@@ -2,9 +2,9 @@
 
 namespace tw {
 
-/// `KernelOf<Work>::name`: the kernel that a device has for a loop's body or for the sweep of a view. A list of kernels,
-/// LIST(line) with line(NAME, WORK) in each line, says it by LIST(TW_KERNEL_OF), of structs of this namespace that are not
-/// known yet by LIST(TW_KERNEL_OF_STRUCT).
+/// `KernelOf<Work>::name`: the kernel that a device has for a loop's body or for the pair loop of a view. A list of
+/// kernels, LIST(line) with line(NAME, WORK) in each line, says it by LIST(TW_KERNEL_OF), of structs of this namespace
+/// that are not known yet by LIST(TW_KERNEL_OF_STRUCT).
 template <class Work>
 struct KernelOf;
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a kernel needs of the device, in the words of Clang: the toolkit's headers are not asked for. A file that includes
-// this is compiled for the device alone (kernels.cpp).
+// What a kernel needs of the device, in the words of Clang: the toolkit's headers are not asked for. A file that
+// includes this is compiled for the device alone (kernels.cpp).
 #include <cstdint>
 
 #include "sph_solver/device/launch.h"
@@ -11,7 +11,7 @@
 
 #define TW_KERNEL extern "C" __attribute__((global)) void
 /// At most 64 registers a thread, so that half of the threads that a multiprocessor can hold are there.
-#define TW_SWEEP_KERNEL extern "C" __attribute__((global, launch_bounds(tw::cuda::threads_in_block, 8))) void
+#define TW_PAIR_LOOP_KERNEL extern "C" __attribute__((global, launch_bounds(tw::cuda::threads_in_block, 8))) void
 #define TW_SHARED __attribute__((shared))
 
 namespace tw::device {

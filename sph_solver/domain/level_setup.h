@@ -22,7 +22,7 @@ struct LevelSetup {
     /// Kernel support sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
     /// below which a particle counts as free surface and bears no tension.
     double surface_support = 0.9;
-    /// How full the kernel's half towards a wall has to be for the wall to compress the water, see WallTouch.
+    /// How full the kernel's half towards a wall has to be for the wall to compress the water, see WallCompleteness.
     double touch_support = SphOptions{}.touch_support;
     /// How fast density follows the particles' packing beside solids, k of Packing; 0 or no shifting: not at all.
     double packing = 0;

@@ -8,8 +8,8 @@ namespace tw {
 struct Mirrors {
     std::array<std::array<bool, 2>, 3> on{};
     std::array<bool, 3> periodic{};
-    /// Of these planes the walls that hold the water (no slip). Only the sweeps of viscosity know of them: to all others
-    /// an image slides along the plane.
+    /// Of these planes the walls that hold the water (no slip). Only the pair loops of viscosity know of them: to all
+    /// others an image slides along the plane.
     std::array<std::array<bool, 2>, 3> holding{};
     bool any_holds() const { return holding != std::array<std::array<bool, 2>, 3>{}; }
 };

@@ -8,7 +8,7 @@ namespace tw {
 /// For how long what is moved in a step [s].
 ///
 /// A step of symplectic Euler and one of kick-drift-kick, whose
-/// first sweep lies in the middle of the drift and which is cut there, dt' being the step before:
+/// first pair loop lies in the middle of the drift and which is cut there, dt' being the step before:
 ///
 ///   rho -= dt' rho div u at (x, u);   u += dt a(x, rho);   rho += dt D;   x += dt u
 ///
@@ -23,7 +23,7 @@ public:
     explicit Schedule(Scheme scheme) : scheme_(scheme) {}
 
     /// When the rates are evaluated, after the step's begin; for how long the density changes by the continuity
-    /// equation on the way, and the places drift between the two sweeps.
+    /// equation on the way, and the places drift between the two pair loops.
     struct Evaluation {
         double after, compress, drift;
     };
@@ -40,7 +40,7 @@ public:
     std::span<const Stage> stages() const;
     /// The density diffusion of the first stage serves all.
     bool freezes_diffusion() const { return scheme_ == Scheme::rk4_frozen_diffusion; }
-    /// So far the sweeps look ahead of the places between two steps, in steps: the lists must hold there too.
+    /// So far the pair loops look ahead of the places between two steps, in steps: the lists must hold there too.
     double looks_ahead() const;
 
 private:

@@ -9,7 +9,7 @@ namespace tw {
 /// How a step is made: schedule.h; table in docs/results.
 enum class Scheme {
     symplectic_euler,      ///< one evaluation
-    kick_drift_kick,       ///< one evaluation, its first sweep in the middle of the drift
+    kick_drift_kick,       ///< one evaluation, its first pair loop in the middle of the drift
     predictor_corrector,   ///< two: the explicit midpoint rule
     rk4_frozen_diffusion,  ///< four: Runge-Kutta, with the density diffusion of its first stage throughout
 };

@@ -3,7 +3,7 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/loops/surface.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 

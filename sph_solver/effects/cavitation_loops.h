@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 

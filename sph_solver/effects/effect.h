@@ -11,22 +11,22 @@
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/loops/records.h"
+#include "sph_solver/pair_loops/own_sums.h"
+#include "sph_solver/pair_loops/passes.h"
+#include "sph_solver/pair_loops/views.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/parallel/halo.h"
-#include "sph_solver/sweeps/own_sums.h"
-#include "sph_solver/sweeps/passes.h"
-#include "sph_solver/sweeps/views.h"
 
 namespace tw {
 
 struct LevelSetup;
 struct Surroundings;
 
-TW_EFFECT_SWEEPS(TW_KERNEL_OF_STRUCT)
+TW_EFFECT_PAIR_LOOPS(TW_KERNEL_OF_STRUCT)
 TW_EFFECT_TASKS(TW_KERNEL_OF_STRUCT)
 TW_EFFECT_LARGEST(TW_KERNEL_OF_STRUCT)
 TW_EFFECT_CHOICES(TW_KERNEL_OF_STRUCT)
-TW_EFFECT_SWEEPS_OF_CHOSEN(TW_KERNEL_OF_STRUCT)
+TW_EFFECT_PAIR_LOOPS_OF_CHOSEN(TW_KERNEL_OF_STRUCT)
 TW_IMAGE_TASKS(TW_KERNEL_OF)
 
 /// What an effect sees of one step, and what it may change: the pressure before the forces, and the rates after them.
@@ -57,7 +57,7 @@ struct StepView {
     std::vector<DummiesOfBody> bodies;
     std::size_t dummy_count;
     const VelocityDensityRecord* sliding;  ///< of the dummies' surfaces along themselves; null: none slides
-    std::size_t wall_load_count;           ///< see SecondSweepData::wall_load
+    std::size_t wall_load_count;           ///< see SecondPairLoopData::wall_load
     const Link* links;
     const LinkMap* maps;
     const Comm& ranks;
@@ -77,7 +77,7 @@ struct StepView {
         if (!device) return largest_of(count, 0, value);
         return device->largest(KernelOf<Value>::name, &value, count);
     }
-    /// A sweep over the neighbours of the level's groups, or of others.
+    /// A pair loop over the neighbours of the level's groups, or of others.
     template <class View>
     void pairs(const View& view, std::span<const Group> of) const {
         if (!device) return for_pairs(passes, view, of);
@@ -87,7 +87,7 @@ struct StepView {
     void pairs(const View& view) const {
         pairs(view, groups);
     }
-    /// A sweep over those of the level's groups of which `choose(group)` is true, put into `chosen` in some order.
+    /// A pair loop over those of the level's groups of which `choose(group)` is true, put into `chosen` in some order.
     template <class Choose, class View>
     void pairs_where(const Choose& choose, const View& view, LoopArray<Group>& chosen) const {
         Group* const to = chosen.resize(device, groups.size());
@@ -111,12 +111,12 @@ struct StepView {
     /// Lets ranks tell each other what a pair loop has left for particles, or for dummies: then loops may read it.
     template <class T>
     T* exchange(const OwnSums<T>& of) const {
-        halo.tell(of.at_);
+        halo.exchange(of.at_);
         return of.at_;
     }
     template <class T>
     T* exchange_at_dummies(const OwnSums<T>& of) const {
-        dummies_halo.tell(of.at_);
+        dummies_halo.exchange(of.at_);
         return of.at_;
     }
     /// For loops that make nothing of it but the particles' rates: these are exchanged after all effects.
@@ -132,15 +132,15 @@ struct StepView {
 };
 
 /// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of
-/// a restart file and no instruction of the passes, because it sweeps the neighbours in a pass of its own. What
+/// a restart file and no instruction of the passes, because it pair loops the neighbours in a pass of its own. What
 /// it has to remember between steps is a quantity of the particles (`brings`), which a restart file holds as well.
 class Effect {
 public:
     virtual ~Effect() = default;
     /// What the level's particles have because of it.
     virtual With brings() const { return With::water; }
-    /// The first sweep's sums are there, and the marks at the free surface; densities have not changed yet.
-    virtual void after_first_sweep(const StepView&) {}
+    /// The first pair loop's sums are there, and the marks at the free surface; densities have not changed yet.
+    virtual void after_first_pair_loop(const StepView&) {}
     /// Density and pressure are those of this step; `stress[i].p` of the particles may be changed.
     virtual void change_pressure(const StepView&) {}
     /// All forces of the engine itself are in `rate`; adds to it.
@@ -149,7 +149,7 @@ public:
     virtual double largest_step(const LevelSetup&, double /*h*/) const {
         return std::numeric_limits<double>::infinity();
     }
-    /// What the walls did to the water in `add_rates`, group by group as in SecondSweepData; empty: nothing.
+    /// What the walls did to the water in `add_rates`, group by group as in SecondPairLoopData; empty: nothing.
     virtual const std::vector<WallLoad>& wall_loads() const {
         static const std::vector<WallLoad> none;
         return none;

@@ -1,5 +1,6 @@
 #pragma once
-// All that a device does for effects: bodies of loops, views of sweeps and, for kernels, the sweeps. A line for each file.
+// All that a device does for effects: bodies of loops, views of pair loops and, for kernels, the pair loops. A line for
+// each file.
 #include "sph_solver/effects/acoustic_damping_loops.h"
 #include "sph_solver/effects/cavitation_loops.h"
 #include "sph_solver/effects/dynamic_pressure_loops.h"

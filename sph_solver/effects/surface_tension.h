@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "sph_solver/sweeps/own_sums.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/own_sums.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
@@ -17,7 +17,7 @@ struct SurfaceTension {
 };
 std::unique_ptr<Effect> make_effect(const SurfaceTension& options);
 
-// What its sweeps read and write.
+// What its pair loops read and write.
 
 /// grad C of each particle [1/m], walls counted; see equations/surface_tension.h.
 struct ColourGradientData {

@@ -1,7 +1,7 @@
-// The sweeps of surface tension, once per variant.
+// The pair loops of surface tension, once per variant.
 #include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/equations/surface_tension.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "sph_solver/equations/surface_tension.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 

@@ -13,7 +13,7 @@ public:
 
     With brings() const override { return With::ventilation; }
 
-    void after_first_sweep(const StepView& step) override {
+    void after_first_pair_loop(const StepView& step) override {
         const std::size_t n = step.n, all = n + step.images, words = all / 32 + 2;
         const AirAtParticles air = rules(step);
         std::uint32_t* const stays = stays_.resize(step.device, words);

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "sph_solver/sweeps/own_sums.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/own_sums.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
@@ -17,9 +17,9 @@ class Effect;
 ///   within `reach_over_dp` dp of a wall, where rho <= rho0, air was at it before or is at a particle within the
 ///     kernel's support, and sum_j V_j W_ij (rho_j - rho0) <= 0 over those round it that no air is at.
 ///
-/// So air comes from where it is, along the surface and along the wall, not to a place with pressure and not into a void
-/// that opens deep in the water; and no particle lets it in whose own density is low by chance. At the start, and when a
-/// particle is new, it is at all that are at the free surface.
+/// So air comes from where it is, along the surface and along the wall, not to a place with pressure and not into a
+/// void that opens deep in the water; and no particle lets it in whose own density is low by chance. At the start, and
+/// when a particle is new, it is at all that are at the free surface.
 struct Ventilation {
     float reach_over_dp = 2;
 };

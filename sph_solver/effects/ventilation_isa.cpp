@@ -1,7 +1,7 @@
-// The sweep of ventilation, once per variant.
+// The pair loop of ventilation, once per variant.
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/loops/surface.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {

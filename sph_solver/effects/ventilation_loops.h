@@ -4,7 +4,7 @@
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/surface.h"
-#include "sph_solver/sweeps/groups.h"
+#include "sph_solver/pair_loops/groups.h"
 
 namespace tw {
 

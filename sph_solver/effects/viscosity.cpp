@@ -35,7 +35,7 @@ public:
             v.wall_load = wall_load_.resize(step.device, step.wall_load_count);
         }
         step.pairs(v);
-        if (bodies_hold) wall_load_.bring_home();
+        if (bodies_hold) wall_load_.copy_to_host();
     }
 
     /// Explicit diffusion: dt < 0.125 h^2 / nu (Morris et al. 1997).

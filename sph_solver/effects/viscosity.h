@@ -2,8 +2,8 @@
 #include <memory>
 #include <optional>
 
-#include "sph_solver/sweeps/own_sums.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/own_sums.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
@@ -23,7 +23,7 @@ struct Viscosity {
 };
 std::unique_ptr<Effect> make_effect(const Viscosity& options);
 
-// What its sweeps read and write.
+// What its pair loops read and write.
 
 /// Velocity of the water round points (wall dummies): sum_f u_f V W / sum_f V W; drho takes sum_f V W.
 struct WaterVelocityData {

@@ -1,9 +1,9 @@
-// The sweeps of viscosity and subgrid turbulence, once per variant.
+// The pair loops of viscosity and subgrid turbulence, once per variant.
 #include "sph_solver/effects/viscosity.h"
 #include "sph_solver/equations/smagorinsky.h"
 #include "sph_solver/equations/viscosity.h"
 #include "sph_solver/equations/wall_pressure.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {

@@ -16,8 +16,9 @@ namespace tw {
 /// Where water surrounds the edge its own pairs balance the wall's and nothing may be taken: there the support is full,
 /// or, beside a void deep in the water, p_i is large. Water in the open has little pressure for its speed.
 ///
-/// Water that comes up to a dry edge has dummies behind it and none before it. What a pressure that is the same all round,
-/// p_i, adds to the pair sums along the way is not balanced: a push of p h / 2 towards the edge, which is taken away,
+/// Water that comes up to a dry edge has dummies behind it and none before it. What a pressure that is the same all
+/// round, p_i, adds to the pair sums along the way is not balanced: a push of p h / 2 towards the edge, which is taken
+/// away,
 ///
 ///   a_i <- a_i - s_i v_i max(0, b_i . e_i) e_i,   b_i = -2 p_i / rho_i sum_d grad_i W_id V_d,
 ///   v_i = clamp((1 - S_i) / 0.02, 0, 1)

@@ -6,16 +6,15 @@
 #include "sph_solver/fields/kept.h"
 #include "sph_solver/fields/law.h"
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 // The quantities of a particle: its state, and what the pair loops read and write of it. Positions in double precision;
-// density as the deviation from rho0, so that single precision loses nothing. A further quantity is one more line: host and
-// GPU have their arrays, copies between them, sorting, splitting and merging, images, checkpoints and the prediction of
-// memory from here.
+// density as the deviation from rho0, so that single precision loses nothing. A further quantity is one more line: host
+// and GPU have their arrays, copies between them, sorting, splitting and merging, images, checkpoints and the
+// prediction of memory from here.
 //
-// field(TYPE, NAME, LAW, KEPT, WITH): how an image has it (law.h), how long it stays with its particle, and which levels
-// have it (kept.h). The first one is one that every particle has.
-// clang-format off
+// field(TYPE, NAME, LAW, KEPT, WITH): how an image has it (law.h), how long it stays with its particle, and which
+// levels have it (kept.h). The first one is one that every particle has. clang-format off
 #define TW_PARTICLE_FIELDS(field)                                                                                       \
     field(double,                 x,                 unseen,      saved,  water) /* [m] */                              \
     field(double,                 y,                 unseen,      saved,  water)                                        \
@@ -26,10 +25,10 @@
     field(float,                  drho,              unseen,      saved,  water) /* rho - rho0 [kg/m3] */               \
     field(std::int64_t,           id,                unseen,      saved,  water) /* never reused */                     \
     field(Kind,                   kind,              unseen,      saved,  water)                                        \
-    field(Trend,                  trend,             unseen,      moved,  coarser) /* meaningful for guards */          \
+    field(Trend,                  trend,             unseen,      moved,  coarser) /* of buffer particles */            \
     field(EdgeDistance,           from_edge,         unseen,      moved,  coarser) /* of the own zone */                \
-    field(Children,               children,          unseen,      saved,  finer)                                        \
-    field(float,                  compression,       unseen,      saved,  finer) /* of band, of the finer [kg/m3/s] */  \
+    field(Daughters,              daughters,         unseen,      saved,  finer)                                        \
+    field(float,                  compression,       unseen,      saved,  finer) /* of the overlap [kg/m3/s] */         \
     field(EdgeDistance,           from_finer_edge,   unseen,      moved,  finer)                                        \
     field(PlaceRecord,            place,             place,       sorted, water)                                        \
     field(VelocityDensityRecord,  velocity_density,  hydrostatic, sorted, water)                                        \

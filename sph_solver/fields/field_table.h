@@ -53,8 +53,8 @@ private:
     Element element_ = Element::record;
 };
 
-/// The particles' quantities as a list: what is done with all of them goes through here. A quantity is one line, a FieldOf
-/// as a member of a struct that derives from this.
+/// The particles' quantities as a list: what is done with all of them goes through here. A quantity is one line, a
+/// FieldOf as a member of a struct that derives from this.
 class FieldTable {
 public:
     bool has(With what) const { return (have_ & static_cast<unsigned>(what)) == static_cast<unsigned>(what); }

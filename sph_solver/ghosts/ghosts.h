@@ -17,7 +17,7 @@ namespace tw {
 class Ghosts {
 public:
     /// `around` must outlive this.
-    Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& quanta);
+    Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& fixed_point);
 
     /// Which particles have images within `reach` [m] of a plane, in the order of the columns.
     void find(const Particles& particles, const ColumnGrid& grid, double reach);
@@ -48,7 +48,7 @@ private:
     }
 
     const Surroundings& around_;
-    Quanta quanta_;
+    Quanta fixed_point_;
     Hydrostatic still_;
     LinkMaps maps_;
     std::vector<Link> links_;
@@ -63,7 +63,7 @@ void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
             const auto i = static_cast<std::size_t>(links_[k].index);
             const LinkMap& map = maps_[links_[k]];
             const PlaceRecord &from = p.place[i], &to = p.place[n + k] = seen_place(from, map);
-            const V3<double> step = step_to_image(from, to, map, quanta_.size);
+            const V3<double> step = step_to_image(from, to, map, fixed_point_.size);
             const HydrostaticLine line = still_.line(force(i, step), step);
             const auto see = [&](auto& field) {
                 if (!field.empty()) field[n + k] = seen_by_law(field, i, map, line);

@@ -10,15 +10,15 @@ unsigned on_axis(std::size_t number, std::size_t axis) { return static_cast<unsi
 
 }  // namespace
 
-LinkMaps::LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& quanta) {
+LinkMaps::LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& fixed_point) {
     for (std::size_t n = 0; n < maps_.size(); ++n) {
         LinkMap& m = maps_[n];
         for (std::size_t a = 0; a < 3; ++a) {
             const unsigned face = on_axis(n, a) & (low | high);
             if (face == 0) continue;
             const auto axis = static_cast<int>(a);
-            const std::int64_t at_low = quanta.wide(domain.min[axis], axis),
-                               at_high = quanta.wide(domain.max[axis], axis);
+            const std::int64_t at_low = fixed_point.wide(domain.min[axis], axis),
+                               at_high = fixed_point.wide(domain.max[axis], axis);
             if ((on_axis(n, a) & moved) != 0) {
                 m.offset[a] = face == low ? at_low - at_high : at_high - at_low;
                 m.repeats[a] = true;

@@ -7,8 +7,8 @@
 #include "base/vec3.h"
 #include "sph_solver/domain/mirrors.h"
 #include "sph_solver/fields/particles.h"
-#include "sph_solver/loops/link_map.h"
 #include "sph_solver/loops/cross.h"
+#include "sph_solver/loops/link_map.h"
 #include "sph_solver/neighbours/columns.h"
 
 namespace tw {
@@ -16,7 +16,7 @@ namespace tw {
 /// All maps of a domain, by the numbers that ImagesNear gives.
 class LinkMaps {
 public:
-    LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& quanta);
+    LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& fixed_point);
     const LinkMap& operator[](const Link& link) const { return maps_[link.map]; }
     std::span<const LinkMap> all() const { return maps_; }  ///< by Link::map
 

@@ -122,7 +122,7 @@ struct LevelOnDevice::Arrays {
     cuda::Array<cuda::Left> left_zone{device};
     cuda::Array<Located> located{device};
     cuda::Array<Parent> parents{device};
-    cuda::Array<Child> children{device};
+    cuda::Array<Child> daughters{device};
 
     Arrays(cuda::Device& d, const cuda::Bins& of_columns) : device(d), bins(of_columns) {}
 
@@ -136,7 +136,7 @@ struct LevelOnDevice::Arrays {
             groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
             giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images, following, orphans,
             which, wide_of_others, given, at_edge, outside, asked_outside, gone_at_edge, left_zone, located, parents,
-            children);
+            daughters);
         for (const auto& [apart, a] : asked)
             add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
         for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);

@@ -75,7 +75,7 @@ void ControlVolume::add_impulse(double mass_inside, const Vec3& body_force, doub
 }
 
 void ControlVolume::add_inside(const Particles& p, std::size_t i, Inside& inside) const {
-    if (p.kind[i] == Kind::guard) return;
+    if (p.kind[i] == Kind::buffer) return;
     const double share_of_it = share(p.x[i], p.y[i], p.z[i]);
     if (share_of_it == 0) return;
     inside.momentum += share_of_it * Vec3(p.u[i], p.v[i], p.w[i]);

@@ -10,16 +10,15 @@
 
 namespace tw {
 
-/// Force on what stands in a fixed box, or in some of its cells, from the momentum of the water that
-/// crosses the faces:
+/// Force on what stands in a fixed box, or in some of its cells, from the momentum of the water that crosses the faces:
 ///
 ///   F = -d/dt (sum_i phi m u) + sum_i m u dphi/dt - sum_faces P n A + sum_i phi m g
 ///
 /// with phi the share of a particle, a cube of a cell's size, that is inside. Whole particles will not do: water by the
 /// floor keeps its layers, and one layer more or less weighs rho g dp, while the pressure on the floor is continuous
-/// (docs/decisions/058). Momentum inside and across is exact; P on the faces is sampled as the pair forces carry it, the
-/// sum of p m V W (see CarriedShare): among disordered particles it is up to 1 % less than p, and pulls along the faces
-/// too. Means over a time much longer than a particle's passage dp/U are meaningful, single values are not.
+/// (docs/decisions/058). Momentum inside and across is exact; P on the faces is sampled as the pair forces carry it,
+/// the sum of p m V W (see CarriedShare): among disordered particles it is up to 1 % less than p, and pulls along the
+/// faces too. Means over a time much longer than a particle's passage dp/U are meaningful, single values are not.
 class ControlVolume {
 public:
     /// The running sums, part of a restart.

@@ -3,11 +3,12 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/levels/arrays_on_device.h"
-#include "sph_solver/sweeps/interpolate.h"
+#include "sph_solver/pair_loops/interpolate.h"
 
 namespace tw {
 
-// --- who is what ------------------------------------------------------------------------------------------------------
+// --- who is what
+// ------------------------------------------------------------------------------------------------------
 
 template <class Label>
 void LevelOnDevice::label_all(const cuda::LabelKnown<Label>& task, const Zone& zone) {
@@ -31,7 +32,7 @@ void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zon
     Arrays& on = *on_;
     on.at_edge.resize(on.p.size()), on.outside.resize(on.p.size());
     on.count.set_zero();
-    label.kind = on.p.kind.data(), label.children = on.p.children.data();
+    label.kind = on.p.kind.data(), label.daughters = on.p.daughters.data();
     label_all(cuda::LabelCoarseKnown{ask, label, on.p.view(), on.p.from_finer_edge.data(), on.outside.data(),
                                      on.at_edge.data(), on.count.data()},
               zone);
@@ -105,10 +106,10 @@ std::vector<Parent> LevelOnDevice::find_parents(double within) {
     const std::size_t n = on.p.size();
     cuda::launch(
         *device_,
-        cuda::MarkParents{on.p.kind.data(), on.p.children.data(), on.outside.data(), within, on.following.of(n)}, n);
+        cuda::MarkParents{on.p.kind.data(), on.p.daughters.data(), on.outside.data(), within, on.following.of(n)}, n);
     std::vector<Parent> parents(list_marked());
     on.parents.resize(parents.size());
-    cuda::launch(*device_, cuda::TakeParents{on.p.view(), on.p.children.data(), on.which.data(), on.parents.data()},
+    cuda::launch(*device_, cuda::TakeParents{on.p.view(), on.p.daughters.data(), on.which.data(), on.parents.data()},
                  parents.size());
     on.parents.give(parents);
     home_ = false;
@@ -136,19 +137,19 @@ std::vector<Located> LevelOnDevice::between(double from, double to) {
     return marked();
 }
 
-std::vector<Located> LevelOnDevice::guards() {
+std::vector<Located> LevelOnDevice::buffers() {
     const std::size_t n = on_->p.size();
     cuda::launch(*device_, cuda::MarkFollowing{on_->p.kind.data(), true, on_->following.of(n)}, n);
     return marked();
 }
 
-void LevelOnDevice::add(const std::vector<Child>& children) {
+void LevelOnDevice::add(const std::vector<Child>& daughters) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    level_.particles.resize(n + children.size());
+    level_.particles.resize(n + daughters.size());
     on.p.each_moving_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
-    on.children.take(children);
-    cuda::launch(*device_, cuda::AddChildren{on.children.data(), on.p.all(), n}, children.size());
+    on.daughters.take(daughters);
+    cuda::launch(*device_, cuda::AddChildren{on.daughters.data(), on.p.all(), n}, daughters.size());
     home_ = false;
 }
 
@@ -159,13 +160,14 @@ void LevelOnDevice::forget_edge(With whose) {
     home_ = false;
 }
 
-// --- who follows ------------------------------------------------------------------------------------------------------
+// --- who follows
+// ------------------------------------------------------------------------------------------------------
 
-std::size_t LevelOnDevice::list_following(bool guards) {
+std::size_t LevelOnDevice::list_following(bool buffers) {
     if (host_counts_) take_state();
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    cuda::launch(*device_, cuda::MarkFollowing{on.p.kind.data(), guards, on.following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkFollowing{on.p.kind.data(), buffers, on.following.of(n)}, n);
     return list_marked();
 }
 
@@ -190,7 +192,7 @@ Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking,
     Followed followed{fastest2_of_following(), 0};
     if (n == 0) return followed;
     const cuda::FoundAt found = ask_other(coarser, follow.moved, asking);
-    followed.orphans = hand(cuda::HandToGuards{follow, found, on.which.data(), on.orphans.of(n)}, n);
+    followed.orphans = hand(cuda::HandToBuffers{follow, found, on.which.data(), on.orphans.of(n)}, n);
     return followed;
 }
 

@@ -35,12 +35,13 @@ std::int64_t orphans_of(const FieldsAt& at) {
 
 }  // namespace
 
-// --- who is what ------------------------------------------------------------------------------------------------------
+// --- who is what
+// ------------------------------------------------------------------------------------------------------
 
 void LevelOnProcessor::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
     Particles& p = level_.particles;
     outside_.resize(p.size());
-    label.kind = p.kind.data(), label.children = p.children.data();
+    label.kind = p.kind.data(), label.daughters = p.daughters.data();
     for_particles(p.size(), [&](std::size_t i) {
         outside_[i] = ask_edge(ask, zone, place_at(p, i), p.from_finer_edge[i]);
         label(i, outside_[i]);
@@ -63,7 +64,7 @@ EdgeSteps::Spray LevelOnProcessor::label(const AskEdge& ask, LabelFine label, co
     for (std::size_t i = 0; i < p.size(); ++i)
         if (leaves[i] && share_.owns(i)) leaving.places.push_back(place_at(p, i)), who.push_back(i);
     coarser.interpolate(leaving);
-    const BecomeGuard become{p.kind.data()};
+    const BecomeBuffer become{p.kind.data()};
     Spray spray;
     for (std::size_t k = 0; k < who.size(); ++k) {
         const std::size_t i = who[k];
@@ -75,7 +76,7 @@ EdgeSteps::Spray LevelOnProcessor::label(const AskEdge& ask, LabelFine label, co
         ++spray.count;
         if (far) spray.far.push_back(located(p, i));
     }
-    share_.halo().tell(p.kind.data());
+    share_.halo().exchange(p.kind.data());
     return spray;
 }
 
@@ -84,9 +85,9 @@ std::vector<Located> LevelOnProcessor::between(double from, double to) {
                          [&](std::size_t i) { return share_.owns(i) && outside_[i] > from && outside_[i] < to; });
 }
 
-std::vector<Located> LevelOnProcessor::guards() {
+std::vector<Located> LevelOnProcessor::buffers() {
     const Particles& p = level_.particles;
-    return those_located(p, [&](std::size_t i) { return share_.owns(i) && p.kind[i] == Kind::guard; });
+    return those_located(p, [&](std::size_t i) { return share_.owns(i) && p.kind[i] == Kind::buffer; });
 }
 
 void LevelOnProcessor::forget_edge(With whose) {
@@ -94,24 +95,26 @@ void LevelOnProcessor::forget_edge(With whose) {
     std::ranges::fill(whose == With::coarser ? p.from_edge : p.from_finer_edge, EdgeDistance{});
 }
 
-// --- who comes and goes -----------------------------------------------------------------------------------------------
+// --- who comes and goes
+// -----------------------------------------------------------------------------------------------
 
 std::vector<Parent> LevelOnProcessor::find_parents(double within) {
     Particles& p = level_.particles;
     std::vector<Parent> parents;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!Parent::is(p.kind[i], p.children[i], outside_[i], within)) continue;
+        if (!Parent::is(p.kind[i], p.daughters[i], outside_[i], within)) continue;
         const Located at = located(p, i);
-        if (share_.owns(i)) parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.children[i]});
-        p.children[i] = Children::all;
+        if (share_.owns(i))
+            parents.push_back({at.index, at.place, {p.u[i], p.v[i], p.w[i], p.drho[i]}, p.daughters[i]});
+        p.daughters[i] = Daughters::all;
     }
     return parents;
 }
 
-void LevelOnProcessor::add(const std::vector<Child>& children) {
+void LevelOnProcessor::add(const std::vector<Child>& daughters) {
     Particles& p = level_.particles;
     if (share_.ranks().many()) share_.let_go({});
-    for (const Child& c : children) {
+    for (const Child& c : daughters) {
         p.add(c.place.x, c.place.y, c.place.z, c.state.u, c.state.drho, c.id, c.kind);
         p.v.back() = c.state.v, p.w.back() = c.state.w;
     }
@@ -120,15 +123,16 @@ void LevelOnProcessor::add(const std::vector<Child>& children) {
 
 std::int64_t LevelOnProcessor::remove_gone(const std::vector<std::size_t>& more) {
     for (const std::size_t i : more) gone_[i] = 1;
-    std::int64_t deaths = 0;
-    for (std::size_t i = 0; i < gone_.size(); ++i) deaths += gone_[i] && share_.owns(i);
-    deaths = share_.ranks().sum(deaths);
-    if (deaths > 0) share_.let_go(gone_);
+    std::int64_t merges = 0;
+    for (std::size_t i = 0; i < gone_.size(); ++i) merges += gone_[i] && share_.owns(i);
+    merges = share_.ranks().sum(merges);
+    if (merges > 0) share_.let_go(gone_);
     gone_.assign(level_.particles.size(), 0);
-    return deaths;
+    return merges;
 }
 
-// --- who follows ------------------------------------------------------------------------------------------------------
+// --- who follows
+// ------------------------------------------------------------------------------------------------------
 
 /// The particles of some kinds that this process owns.
 std::vector<std::size_t> LevelOnProcessor::own_of_kind(bool (*of)(Kind)) const {
@@ -142,19 +146,19 @@ std::vector<std::size_t> LevelOnProcessor::own_of_kind(bool (*of)(Kind)) const {
 Followed LevelOnProcessor::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {
     Particles& p = level_.particles;
     follow.p = level_.state_view(), follow.trend = p.trend.data();
-    const std::vector<std::size_t> who = own_of_kind([](Kind kind) { return kind == Kind::guard; });
-    FieldsAt guards{asking};
-    guards.places.resize(who.size());
+    const std::vector<std::size_t> who = own_of_kind([](Kind kind) { return kind == Kind::buffer; });
+    FieldsAt buffers{asking};
+    buffers.places.resize(who.size());
     Followed followed;
     for (const std::size_t i : who) followed.fastest2 = std::max(followed.fastest2, speed2(follow.p, i));
     for_particles(who.size(), [&](std::size_t k) {
         const V3<double> x = place_ahead(follow.p, who[k], follow.moved);
-        guards.places[k] = {x.x, x.y, x.z};
+        buffers.places[k] = {x.x, x.y, x.z};
     });
-    coarser.interpolate(guards);
-    for_particles(who.size(), [&](std::size_t k) { follow(who[k], guards.given(k)); });
-    share_.halo().tell(p.trend.data(), p.drho.data());
-    followed.orphans = orphans_of(guards);
+    coarser.interpolate(buffers);
+    for_particles(who.size(), [&](std::size_t k) { follow(who[k], buffers.given(k)); });
+    share_.halo().exchange(p.trend.data(), p.drho.data());
+    followed.orphans = orphans_of(buffers);
     return share_.ranks().sum(followed);
 }
 
@@ -168,7 +172,7 @@ Followed LevelOnProcessor::follow_finer(EdgeSteps& finer, const Asking& asking, 
     for_particles(who.size(), [&](std::size_t k) { under.places[k] = place_at(p, who[k]); });
     finer.interpolate(under);
     for_particles(who.size(), [&](std::size_t k) { follow(who[k], under.given(k)); });
-    share_.halo().tell(p.u.data(), p.v.data(), p.w.data(), p.drho.data(), p.compression.data());
+    share_.halo().exchange(p.u.data(), p.v.data(), p.w.data(), p.drho.data(), p.compression.data());
     return share_.ranks().sum(Followed{0, orphans_of(under)});
 }
 

@@ -1,6 +1,6 @@
 // Fields of a level on a device at points that are none of its particles: samples, and the particles of other levels.
 #include "sph_solver/levels/arrays_on_device.h"
-#include "sph_solver/sweeps/interpolate.h"
+#include "sph_solver/pair_loops/interpolate.h"
 
 namespace tw {
 
@@ -16,7 +16,7 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     column.take(columns_of(points.groups, points.start));
     p.resize(n), support.resize(n);
     lists.build(level_.grid, level_.grid, places.data(), column, groups, sources(),
-                level_.reaches_of_points(level_.kernel) / level_.quanta.size);
+                level_.reaches_of_points(level_.kernel) / level_.fixed_point.size);
     ExtrapolateData e = to;
     e.water = water();
     e.list = lists.view();
@@ -53,7 +53,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     update_records();
     Arrays& on = *on_;
     const ColumnGrid grid = level_.grid.scaled(asking.apart);
-    const double quantum = level_.quanta.size;
+    const double quantum = level_.fixed_point.size;
     Arrays::Asked& at =
         on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup.dp, quantum))
             .first->second;
@@ -85,7 +85,8 @@ cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Ask
     on.wide_of_others.resize(n);
     cuda::launch(
         *device_,
-        cuda::PlacesToAsk{on.p.view(), ahead, other.level_.to_quanta(), on.which.data(), on.wide_of_others.data()}, n);
+        cuda::PlacesToAsk{on.p.view(), ahead, other.level_.to_fixed_point(), on.which.data(), on.wide_of_others.data()},
+        n);
     return other.ask(on.wide_of_others, asking);
 }
 
@@ -94,7 +95,7 @@ void LevelOnDevice::interpolate(FieldsAt& at) {
     if (at.places.empty()) return;
     Arrays& on = *on_;
     std::vector<WidePlace> wide;
-    for (const Vec3& x : at.places) wide.push_back(level_.quanta.wide(x));
+    for (const Vec3& x : at.places) wide.push_back(level_.fixed_point.wide(x));
     on.wide_of_others.take(wide);
     const cuda::FoundAt found = ask(on.wide_of_others, at);
     on.given.resize(wide.size());

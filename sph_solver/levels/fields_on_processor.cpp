@@ -1,4 +1,5 @@
-// Fields of a level on a processor at points that are none of its particles: samples, and the particles of other levels.
+// Fields of a level on a processor at points that are none of its particles: samples, and the particles of other
+// levels.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -6,13 +7,14 @@
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/levels/on_processor.h"
-#include "sph_solver/sweeps/interpolate.h"
+#include "sph_solver/pair_loops/interpolate.h"
 
 namespace tw {
 
 namespace {
 
-/// The heights between which a column of a grid has something within reach of some places [quanta]; none: from > to.
+/// The heights between which a column of a grid has something within reach of some places [fixed-point units]; none:
+/// from > to.
 struct Span {
     std::int64_t from = INT64_MAX, to = INT64_MIN;
 };
@@ -73,7 +75,7 @@ void LevelOnProcessor::interpolate_here(FieldsAt& at) {
     SortedPlaces sorted(at.places, at.apart, level_);
     const Reaches reaches = level_.reaches_of_interpolation();
     const std::vector<Span> asked =
-        within_reach(sorted, level_.grid, (reaches.far + reaches.stale) / level_.quanta.size);
+        within_reach(sorted, level_.grid, (reaches.far + reaches.stale) / level_.fixed_point.size);
     TakeGiving giving = level_.giving(level_.particles.view(), level_.ghosts.links().data(), own, at);
     // of those that count and may be asked for, in the order of the level's particles and then of their images
     std::vector<PlaceRecord> place;

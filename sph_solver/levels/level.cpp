@@ -58,7 +58,8 @@ void Level::set_control_volume(ControlVolume volume) {
     make_lists_due();
 }
 
-// --- the lists --------------------------------------------------------------------------------------------------------
+// --- the lists
+// --------------------------------------------------------------------------------------------------------
 
 double Level::travel_ahead() const {
     return system_.near.life.travel + schedule_.looks_ahead() * system_.dt * system_.extremes.speed;
@@ -87,7 +88,7 @@ void Level::refresh(double drift) {
         life.over = false;
         return;
     }
-    system_.walls.follow(system_.quanta);
+    system_.walls.follow(system_.fixed_point);
     {
         const Stopwatch watch(timers_.update);
         steps_->update_records();
@@ -96,30 +97,31 @@ void Level::refresh(double drift) {
     steps_->prune(drift);
 }
 
-// --- an evaluation of the rates: what is summed in it, in which order, is sweeps/right_hand_side.h ---------------------
+// --- an evaluation of the rates: what is summed in it, in which order, is pair_loops/right_hand_side.h
+// ---------------------
 
-void Level::first_sweep(double t, double compress, double drift, const OtherSums* other) {
+void Level::first_pair_loop(double t, double compress, double drift, const OtherSums* other) {
     {
         const Stopwatch watch(timers_.gradient);
         steps_->first_pair_loop(other);
     }
     const Stopwatch watch(timers_.update);
-    share_.tell_first_sweep();
+    share_.tell_first_pair_loop();
     steps_->mark_surface();
-    each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_sweep(view); });
+    each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_pair_loop(view); });
     note_compression();
     steps_->compress(compress, drift);
     each_effect(t, [](Effect& effect, const StepView& view) { effect.change_pressure(view); });
     steps_->refresh_images(t);
 }
 
-void Level::second_sweep(double t) {
+void Level::second_pair_loop(double t) {
     timers_.evaluations += static_cast<std::int64_t>(system_.particles.size() - copies());
     if (!system_.walls.empty()) {
         const Stopwatch watch(timers_.walls);
         put_walls(t);
         steps_->press_walls();
-        system_.walls.halo().tell(system_.walls.pressures().data());
+        system_.walls.halo().exchange(system_.walls.pressures().data());
     }
     {
         const Stopwatch watch(timers_.forces);
@@ -127,19 +129,22 @@ void Level::second_sweep(double t) {
     }
     const Stopwatch watch(timers_.effects);
     each_effect(t, [](Effect& effect, const StepView& view) { effect.add_rates(view); });
-    steps_->bring_loads_home();
+    steps_->copy_loads_to_host();
 }
 
-void Level::tell_rates() { share_.halo().tell(system_.particles.rate.data(), system_.particles.shift_support.data()); }
+void Level::exchange_rates() {
+    share_.halo().exchange(system_.particles.rate.data(), system_.particles.shift_support.data());
+}
 
 void Level::put_walls(double t) {
     system_.wall_speed = system_.walls.fastest();
-    system_.walls.follow(system_.quanta);
+    system_.walls.follow(system_.fixed_point);
     if (system_.around.frame && !system_.walls.empty())
         system_.walls.feel(system_.around.force(t), system_.around.gravity);
 }
 
-// --- what others ask of it --------------------------------------------------------------------------------------------
+// --- what others ask of it
+// --------------------------------------------------------------------------------------------
 
 void Level::sample(PointSamples& points) const {
     const std::size_t n = points.places.size();
@@ -169,7 +174,7 @@ void Level::sample(PointSamples& points) const {
             points.p[i] += static_cast<float>(at_rest->at(points.places[i].z()));
         for (std::size_t a = 0; a < 6 && points.want_flux; ++a) points.flux[6 * i + a] = flux[6 * k + a];
     }
-    share_.tell_samples(points);
+    share_.exchange_samples(points);
 }
 
 KindCounts Level::kinds() const {
@@ -187,23 +192,25 @@ double Level::bytes() const {
     return system_.bytes() + stages + bytes_on_device();
 }
 
-// --- where levels of two sizes meet -----------------------------------------------------------------------------------
+// --- where levels of two sizes meet
+// -----------------------------------------------------------------------------------
 
-void Level::begin_over(const Zone& finer, double with_children) {
+void Level::begin_over(const Zone& finer, double with_daughters) {
     Particles& p = system_.particles;
     p.bring(With::finer);
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (finer.outside({p.x[i], p.y[i], p.z[i]}) < with_children) p.children[i] = Children::all;
+        if (finer.outside({p.x[i], p.y[i], p.z[i]}) < with_daughters) p.daughters[i] = Daughters::all;
 }
 
 void Level::begin_within(const Zone& own) {
     Particles& p = system_.particles;
     p.bring(With::coarser);
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (own.outside({p.x[i], p.y[i], p.z[i]}) >= 0) p.kind[i] = Kind::guard;
+        if (own.outside({p.x[i], p.y[i], p.z[i]}) >= 0) p.kind[i] = Kind::buffer;
 }
 
-// --- state ------------------------------------------------------------------------------------------------------------
+// --- state
+// ------------------------------------------------------------------------------------------------------------
 
 Level::State Level::state() const {
     return {system_.time, system_.dt, system_.steps, system_.ledger, system_.extremes};

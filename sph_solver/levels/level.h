@@ -22,16 +22,16 @@ struct Timers {
     std::int64_t evaluations = 0, rebuilds = 0;
 };
 
-/// One material on particles of one size, in time. What its particles are is a ParticleSystem; what of them this process
-/// holds, a RankShare; how the parts of a step are made, a StepMaker: the processor, or a device. Level is the order in
-/// which these act, and what others see. Others act on it from above (pairs/, edge_steps.h).
+/// One material on particles of one size, in time. What its particles are is a ParticleSystem; what of them this
+/// process holds, a RankShare; how the parts of a step are made, a StepMaker: the processor, or a device. Level is the
+/// order in which these act, and what others see. Others act on it from above (pairs/, edge_steps.h).
 ///
-/// An evaluation of the rates takes two sweeps over the pairs, in this order (schedule.h says for how long what moves):
+/// An evaluation of the rates takes two loops over the pairs, in this order (schedule.h says for how long what moves):
 ///
 ///   refresh           records of the particles and their images; lists, where they are due
-///   first_sweep       at (x, u): div u, density gradient, kernel support;   rho -= compress rho div u;   x += drift u
+///   first_pair_loop   at (x, u): div u, density gradient, kernel support;   rho -= compress rho div u;   x += drift u
 ///                     p = p(rho); effects change it
-///   second_sweep      wall pressure; acceleration a, density diffusion D; effects add to them
+///   second_pair_loop  wall pressure; acceleration a, density diffusion D; effects add to them
 ///   advance           u += kick a;   rho += kick D;   x += drift u + shift;   walls, limits
 ///
 /// So the velocity that compresses is the one that the pressure has just made (sound is carried without growth), and
@@ -60,7 +60,7 @@ public:
     int dimensions() const { return system_.around.dimensions; }
     const Box& domain() const { return system_.around.domain; }
     const Kernel& kernel() const { return system_.kernel; }
-    const Quanta& quanta() const { return system_.quanta; }
+    const Quanta& fixed_point() const { return system_.fixed_point; }
     const ColumnGrid& grid() const { return system_.grid; }
     const Passes& passes() const { return system_.passes; }
     const Walls& walls() const { return system_.walls; }
@@ -90,7 +90,7 @@ public:
     /// Kernel support of a particle at the last evaluation [-].
     double support(std::size_t i) const { return double(home().shift_support[i].support); }
     bool has_records() const { return !system_.particles.gradient_pressure.empty(); }
-    double visited_per_particle() const;  ///< pairs that a sweep works through, useful or not
+    double visited_per_particle() const;  ///< pairs that a pair loop works through, useful or not
     double bytes() const;                 ///< memory of state, lists and walls, on a device too
     double bytes_on_device() const { return steps_->bytes_on_device(); }
     /// The larger of the fastest particle's speed and the stream's [m/s].
@@ -137,13 +137,13 @@ public:
     bool lists_due() const { return system_.near.life.over; }
     void make_lists_due() { system_.near.life.over = true; }
     void mark_restart_point();  ///< see Simulation
-    void follow_bodies() { system_.walls.follow(system_.quanta); }
+    void follow_bodies() { system_.walls.follow(system_.fixed_point); }
     void refresh(double drift);
     /// `other`: sums over another level's particles, one entry a particle; null: there is none.
-    void first_sweep(double t, double compress, double drift, const OtherSums* other);
-    void second_sweep(double t);
+    void first_pair_loop(double t, double compress, double drift, const OtherSums* other);
+    void second_pair_loop(double t);
     /// Of several ranks: the rates are whole, and told to who holds copies.
-    void tell_rates();
+    void exchange_rates();
     /// Loads on bodies that stay where they are may wait for the end of `advance`.
     void gather_loads(const Vec3& moment_reference);
     /// Of the level's water on the dummies of one body, in the order in which the walls hold them
@@ -152,12 +152,12 @@ public:
     std::vector<Vec3> forces_on_dummies(std::size_t body);
     void set_step(double dt) { system_.dt = dt; }
     /// What particles that a wall had to hold did to the bodies in a step.
-    struct Struck {
-        std::vector<Impulse> bodies;       ///< each of them
-        std::vector<WallStrike> places{};  ///< of elastic ones
+    struct Impulses {
+        std::vector<Impulse> bodies;        ///< each of them
+        std::vector<WallImpulse> places{};  ///< of elastic ones
     };
     /// Throws RunError: not a number, density or Mach number out of bounds.
-    Struck advance(const Schedule::Move& move, const Vec3& moment_reference);
+    Impulses advance(const Schedule::Move& move, const Vec3& moment_reference);
 
     // --- steps in stages (explicit Runge-Kutta) instead of one evaluation
     void begin_stages(bool freeze_diffusion);
@@ -167,9 +167,10 @@ public:
     void end_stages();
 
     // --- where levels of two sizes meet; before the first step
-    /// A finer level's zone lies in this one, and particles that are nearer to it than `with_children` [m] have children.
-    void begin_over(const Zone& finer, double with_children);
-    /// This level's zone lies in a coarser one, and particles outside it are guards.
+    /// A finer level's zone lies in this one, and particles that are nearer to it than `with_children` [m] have
+    /// daughters.
+    void begin_over(const Zone& finer, double with_daughters);
+    /// This level's zone lies in a coarser one, and particles outside it are buffer particles.
     void begin_within(const Zone& own);
     EdgeSteps& edges() { return *steps_; }  ///< of a level that has begun so
     using Numbers = RankShare::Numbers;
@@ -181,11 +182,11 @@ public:
     // --- what others ask of its fields
     /// For loops of others, by who makes the steps.
     StepView step_view(double t) { return steps_->step_view(t); }
-    FirstSweepData first_sweep_data() { return system_.first_sweep_data(); }
-    SecondSweepData second_sweep_data(double t) { return system_.second_sweep_data(t); }
+    FirstPairLoopData first_pair_loop_data() { return system_.first_pair_loop_data(); }
+    SecondPairLoopData second_pair_loop_data(double t) { return system_.second_pair_loop_data(t); }
     /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present records.
     void sample(PointSamples& points) const;
-    /// Velocity and density of the particles at places near them, as they are between two sweeps. The lists must
+    /// Velocity and density of the particles at places near them, as they are between two pair loops. The lists must
     /// not be due. Of several ranks all call it, each with places of its own.
     void interpolate(FieldsAt& at) { steps_->interpolate(at); }
 
@@ -231,7 +232,7 @@ private:
     struct OfAllParts;
     OfAllParts join(const std::vector<Moved>& parts) const;
     void agree(OfAllParts& all, const Vec3& moment_reference);
-    Struck strike(OfAllParts& all, double dt);
+    Impulses strike(OfAllParts& all, double dt);
     void note_extremes(const OfAllParts& all);
     void note_travel(const OfAllParts& all, const Schedule::Move& move, double speed_before);
     void check_speed(const OfAllParts& all) const;

@@ -47,11 +47,11 @@ struct Level::OfAllParts {
     std::size_t fastest = 0, densest = 0, thinnest = 0;
     double own_speed2 = 0;
     std::optional<std::size_t> broken{};
-    std::vector<WallStrike> strikes{};
-    std::vector<std::int32_t> strike_columns{};
+    std::vector<WallImpulse> wall_impulses{};
+    std::vector<std::int32_t> impulse_columns{};
 };
 
-Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
+Level::Impulses Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
     const Stopwatch watch(timers_.update);
     const double speed_before = system_.extremes.speed;
     const Move moving = move_on(move);
@@ -59,14 +59,14 @@ Level::Struck Level::advance(const Schedule::Move& move, const Vec3& moment_refe
     const auto held = [&](std::size_t i, Moved& part) { hold(i, moment_reference, part); };
     OfAllParts all = join(steps_->move(moving, held));
     agree(all, moment_reference);
-    Struck struck = strike(all, move.kick);
+    Impulses impulses = strike(all, move.kick);
     note_extremes(all);
     note_travel(all, move, speed_before);
     system_.time += move.kick;
     ++system_.steps;
     check_speed(all);
     check_density();
-    return struck;
+    return impulses;
 }
 
 Move Level::move_on(const Schedule::Move& move) {
@@ -126,7 +126,7 @@ void Level::hold(std::size_t i, const Vec3& moment_reference, Moved& part) {
     part.on_bodies.resize(system_.bodies.size());
     const Vec3 place(p.x[i], p.y[i], p.z[i]);
     part.on_bodies[held->body].add(held->lost, place - moment_reference);
-    if (system_.walls.give_way()) {
+    if (system_.walls.any_deformable()) {
         part.on_elastic.push_back({held->body, held->triangle, place, system_.mass * held->lost});
         part.by.push_back(i);
     }
@@ -147,8 +147,8 @@ Level::OfAllParts Level::join(const std::vector<Moved>& parts) const {
         sums.acceleration2 = std::max(sums.acceleration2, part.acceleration2);
         sums.crossed += part.crossed;
         sums.held += part.held;
-        all.strikes.insert(all.strikes.end(), part.on_elastic.begin(), part.on_elastic.end());
-        for (const std::size_t i : part.by) all.strike_columns.push_back(share_.column_of(i));
+        all.wall_impulses.insert(all.wall_impulses.end(), part.on_elastic.begin(), part.on_elastic.end());
+        for (const std::size_t i : part.by) all.impulse_columns.push_back(share_.column_of(i));
         for (std::size_t b = 0; b < part.on_bodies.size(); ++b) all.on_bodies[b] += part.on_bodies[b];
     }
     sums.broken = all.broken.has_value();
@@ -159,7 +159,7 @@ Level::OfAllParts Level::join(const std::vector<Moved>& parts) const {
 /// With the other ranks. Ends the run where one has a particle that is broken.
 void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
     const Particles& p = system_.particles;
-    steps_->bring_home({all.fastest, all.densest, all.thinnest});
+    steps_->copy_to_host({all.fastest, all.densest, all.thinnest});
     const auto note = [&](OfAllParts::At& at, std::size_t i) {
         at.column = system_.grid.count();
         if (i < p.size()) at = {at.value, share_.column_of(i), p.id[i], p.x[i], p.y[i], p.z[i]};
@@ -169,7 +169,8 @@ void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
     ranks().add(std::span(&sums, 1), std::span(all.on_bodies), std::span(waiting_loads_));
     if (!waiting_loads_.empty()) set_loads(waiting_loads_, moment_reference);
     waiting_loads_.clear();
-    if (sums.held > 0 && system_.walls.give_way()) all.strikes = share_.of_all_ranks(all.strikes, all.strike_columns);
+    if (sums.held > 0 && system_.walls.any_deformable())
+        all.wall_impulses = share_.of_all_ranks(all.wall_impulses, all.impulse_columns);
     if (sums.broken > 0)
         share_.fail_together({all.broken, all.broken ? share_.column_of(*all.broken) : 0,
                               "has a velocity, density or place that is not a number; often a time step or sound speed "
@@ -177,18 +178,18 @@ void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
 }
 
 /// What held particles give to the bodies.
-Level::Struck Level::strike(OfAllParts& all, double dt) {
-    Struck struck;
-    if (all.sums.held > 0 && system_.walls.give_way()) struck.places = std::move(all.strikes);
+Level::Impulses Level::strike(OfAllParts& all, double dt) {
+    Impulses impulses;
+    if (all.sums.held > 0 && system_.walls.any_deformable()) impulses.places = std::move(all.wall_impulses);
     for (std::size_t b = 0; b < all.on_bodies.size(); ++b) {
         const PushSum& on_body = all.on_bodies[b];
         const Impulse held{system_.mass * on_body.push.value(), system_.mass * on_body.turn.value()};
         system_.walls.add_load(b, {held.impulse / dt, Vec3::Zero(), held.turn / dt});
-        struck.bodies.push_back(held);
+        impulses.bodies.push_back(held);
     }
     system_.ledger.held += all.sums.held;
     if (system_.control) system_.control->add_crossed(system_.mass * all.sums.crossed.value());
-    return struck;
+    return impulses;
 }
 
 void Level::note_extremes(const OfAllParts& all) {

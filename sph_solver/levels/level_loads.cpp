@@ -88,7 +88,7 @@ std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
         forces_on_dummies_.zeros(step.device, static_cast<std::size_t>(system_.walls.body_end()[body]) - dummies.first);
     step.each(lanes * dummies.groups.size(), ForceOnDummies{.water = step.water,
                                                             .walls = step.dummies,
-                                                            .quantum = system_.quanta.size,
+                                                            .quantum = system_.fixed_point.size,
                                                             .own = step.n,
                                                             .first = dummies.first,
                                                             .lists = dummies.water,
@@ -97,7 +97,7 @@ std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
                                                             .force = force});
     // each by the rank whose column it stands in, nothing on the others
     std::vector<double> sums;
-    for (const V3<double>& f : forces_on_dummies_.bring_home()) sums.insert(sums.end(), {f.x, f.y, f.z});
+    for (const V3<double>& f : forces_on_dummies_.copy_to_host()) sums.insert(sums.end(), {f.x, f.y, f.z});
     ranks().take_from_owners(std::span(sums));
     std::vector<Vec3> forces;
     for (std::size_t k = 0; k < sums.size(); k += 3) forces.emplace_back(sums[k], sums[k + 1], sums[k + 2]);

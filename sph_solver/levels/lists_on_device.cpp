@@ -56,7 +56,8 @@ void GroupsOnDevice::make(const Columns& columns, const SortedOnDevice& order, c
 
 void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
                           const cuda::Array<int>& column, cuda::Array<Group>& groups,
-                          const std::vector<cuda::DeviceSource>& sources, const Reaches& quanta, ListRef Group::*list) {
+                          const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
+                          ListRef Group::*list) {
     sources_.take(sources);
     cuda::SearchNeighbours search{.columns = columns,
                                   .of_groups = of_groups,
@@ -65,8 +66,8 @@ void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, cons
                                   .groups = groups.data(),
                                   .sources = sources_.data(),
                                   .source_count = static_cast<int>(sources.size()),
-                                  .reach = quanta.far + quanta.stale,
-                                  .reaches = quanta,
+                                  .reach = fixed_point.far + fixed_point.stale,
+                                  .reaches = fixed_point,
                                   .write = false,
                                   .count = count_.of(groups.size()),
                                   .blocks = nullptr,

@@ -90,7 +90,7 @@ public:
     /// Of all `groups`, of which the k-th is in the column column[k] of `of_groups`, among sources sorted by `columns`.
     void build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
                const cuda::Array<int>& column, cuda::Array<Group>& groups,
-               const std::vector<cuda::DeviceSource>& sources, const Reaches& quanta,
+               const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
                ListRef Group::*list = &Group::list);
     Lists view() const { return {chunk_.data()}; }
     const NeighbourBlock* blocks() const { return blocks_.data(); }

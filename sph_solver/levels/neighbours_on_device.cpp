@@ -1,4 +1,5 @@
-// Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and walls.
+// Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and
+// walls.
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/levels/arrays_on_device.h"
 
@@ -25,13 +26,13 @@ void LevelOnDevice::make_lists(double drift) {
     on.groups.make(level_.grid, on.order, on.p.place.data());
     const std::vector<cuda::DeviceSource> water = sources();
     on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), water,
-                   among / level_.quanta.size);
+                   among / level_.fixed_point.size);
     if (!level_.walls.empty()) {
-        level_.walls.sort(level_.grid, level_.quanta, cuda::lanes_of_group);
+        level_.walls.sort(level_.grid, level_.fixed_point, cuda::lanes_of_group);
         if (level_.walls.move()) take_sorted_dummies();
         for (Arrays::Part& part : on.parts)
             part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.column, part.groups,
-                             water, to_walls / level_.quanta.size);
+                             water, to_walls / level_.fixed_point.size);
         find_walls(to_walls);
     }
     home_ = order_is_home_ = false;
@@ -50,7 +51,7 @@ StepMaker::Near LevelOnDevice::find_neighbours(StepMaker& other, const Reaches& 
     const auto& of = static_cast<LevelOnDevice&>(other);
     on.asking_others.copy(on.groups.groups());
     on.lists_of_others.build(of.level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.asking_others,
-                             of.sources(), reaches / level_.quanta.size);
+                             of.sources(), reaches / level_.fixed_point.size);
     const std::size_t n = on.asking_others.size();
     on.near_others.resize(n);
     on.count.set_zero();
@@ -89,7 +90,7 @@ void LevelOnDevice::cross_faces() {
                  cuda::PutBack{.mirrors = {on.p.view(), faces},
                                .top = domain.max.z(),
                                .open_top = !faces.mirror[2][1] && !faces.periodic[2],
-                               .to_quanta = level_.to_quanta(),
+                               .to_fixed_point = level_.to_fixed_point(),
                                .gone = level_.around.stream ? on.gone.data() : nullptr,
                                .wide = on.wide.data(),
                                .left = on.left.data()},
@@ -116,7 +117,7 @@ void LevelOnDevice::find_images(double reach) {
                  cuda::FindImages{.p = on.p.view(),
                                   .near = near,
                                   .maps = on.maps.data(),
-                                  .to_quanta = level_.to_quanta(),
+                                  .to_fixed_point = level_.to_fixed_point(),
                                   .first = on.images.before(),
                                   .links = on.found.data(),
                                   .wide = on.wide.data()},
@@ -133,7 +134,7 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
         dummies.push_back(
             {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
     on.wall_lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), dummies,
-                        reaches / level_.quanta.size, &Group::wall_list);
+                        reaches / level_.fixed_point.size, &Group::wall_list);
     const std::size_t groups = on.groups.size();
     cuda::launch(*device_,
                  cuda::CountWallLoads{on.groups.groups().data(), on.wall_lists.blocks(), on.body_end.data(),
@@ -150,10 +151,10 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
                                  .at_wall = on.at_wall.numbers(),
                                  .before = on.at_wall.before(),
                                  .origin = {},
-                                 .quantum = level_.quanta.size,
+                                 .quantum = level_.fixed_point.size,
                                  .groups = on.groups.groups().data(),
                                  .list = on.groups_at_walls.data()};
-    for (int a = 0; a < 3; ++a) list.origin[a] = level_.quanta.origin[a];
+    for (int a = 0; a < 3; ++a) list.origin[a] = level_.fixed_point.origin[a];
     cuda::launch(*device_, list, groups);
     std::vector<cuda::GroupAtWall> home(at_walls);
     on.groups_at_walls.give(home);

@@ -1,5 +1,5 @@
-// Who is whose neighbour in a level on a processor: sorting, images, groups, lists and wall normals; and the packed arrays
-// that the pair loops read.
+// Who is whose neighbour in a level on a processor: sorting, images, groups, lists and wall normals; and the packed
+// arrays that the pair loops read.
 #include <algorithm>
 #include <numeric>
 
@@ -10,8 +10,8 @@ namespace tw {
 
 void LevelOnProcessor::update_records() {
     Particles& p = level_.particles;
-    for_particles(p.size(),
-                  UpdateRecords{level_.state_view(), level_.to_quanta(), p.place.data(), p.velocity_density.data()});
+    for_particles(p.size(), UpdateRecords{level_.state_view(), level_.to_fixed_point(), p.place.data(),
+                                          p.velocity_density.data()});
     level_.ghosts.refresh(p, level_.time, p.velocity_density);
 }
 
@@ -20,10 +20,10 @@ void LevelOnProcessor::prune(double drift) {
     d.lists = level_.near.lists.view();
     d.of = level_.particles.place.data();
     d.place = level_.particles.place.data();
-    d.reach = level_.reach_among(drift) / level_.quanta.size;
+    d.reach = level_.reach_among(drift) / level_.fixed_point.size;
     for_pairs(level_.passes, d, level_.near.groups);
     level_.walls.prune(level_.passes, level_.particles.place.data(), level_.near.groups,
-                       level_.reach_to_walls(drift) / level_.quanta.size);
+                       level_.reach_to_walls(drift) / level_.fixed_point.size);
 }
 
 std::vector<Source> LevelOnProcessor::sources() const {
@@ -60,7 +60,7 @@ void LevelOnProcessor::make_lists(double drift) {
     std::vector<WidePlace> kept(index.size());
     for_particles(kept.size(), [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(index[k]);
-        kept[k] = level_.quanta.wide({p.x[i], p.y[i], p.z[i]});
+        kept[k] = level_.fixed_point.wide({p.x[i], p.y[i], p.z[i]});
     });
     std::vector<std::int32_t> order;
     sort_by_column(level_.grid, kept, order, level_.near.start);
@@ -69,7 +69,7 @@ void LevelOnProcessor::make_lists(double drift) {
         [&](std::int32_t k) { return p.id[static_cast<std::size_t>(index[static_cast<std::size_t>(k)])]; }, order);
     for (auto& k : order) k = index[static_cast<std::size_t>(k)];
     p.reorder(order);
-    if (!level_.walls.empty()) level_.walls.sort(level_.grid, level_.quanta, level_.passes.lanes);
+    if (!level_.walls.empty()) level_.walls.sort(level_.grid, level_.fixed_point, level_.passes.lanes);
     if (shared) share_.note_own();
 
     level_.ghosts.find(p, level_.grid, reach);
@@ -79,9 +79,9 @@ void LevelOnProcessor::make_lists(double drift) {
     const std::vector<Source> own = sources();
     make_groups(own.front(), level_.passes.lanes, level_.near.groups, share_.own_columns());
     if (shared) share_.note_columns_of_groups();
-    level_.near.lists.build(level_.passes, level_.quanta, own.front(), level_.near.groups, own, among);
+    level_.near.lists.build(level_.passes, level_.fixed_point, own.front(), level_.near.groups, own, among);
     if (!level_.walls.empty()) {
-        level_.walls.find_neighbours(level_.passes, level_.grid, level_.quanta, level_.near.groups, own, to_walls,
+        level_.walls.find_neighbours(level_.passes, level_.grid, level_.fixed_point, level_.near.groups, own, to_walls,
                                      share_.own_columns());
         find_normals();
     }
@@ -100,9 +100,9 @@ void LevelOnProcessor::find_normals() {
             near.note(all, i);
         }
     });
-    share_.halo().tell(all.wall_normal, all.wall_leaving);
-    if (level_.walls.move()) share_.halo().tell(all.wall_body);
-    if (level_.walls.give_way()) share_.halo().tell(all.wall_triangle);
+    share_.halo().exchange(all.wall_normal, all.wall_leaving);
+    if (level_.walls.move()) share_.halo().exchange(all.wall_body);
+    if (level_.walls.any_deformable()) share_.halo().exchange(all.wall_triangle);
     std::optional<std::size_t> through;
     for (std::size_t i = p.size(); i-- > 0 && !through;)
         if (double(p.wall_normal[i].distance) < -level_.setup.dp && is_active(p.kind[i])) through = i;
@@ -117,7 +117,7 @@ std::int64_t LevelOnProcessor::live_pairs() const {
 
 StepMaker::Near LevelOnProcessor::find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) {
     room.groups = level_.near.groups;
-    room.lists.build(level_.passes, level_.quanta, sources().front(), room.groups,
+    room.lists.build(level_.passes, level_.fixed_point, sources().front(), room.groups,
                      static_cast<LevelOnProcessor&>(other).sources(), reaches);
     std::erase_if(room.groups, [](const Group& g) { return g.list.size == 0; });
     return {room.lists.view(), room.groups};

@@ -11,7 +11,7 @@ LevelOnDevice::LevelOnDevice(ParticleSystem& level, const RankShare& share, std:
       share_(share),
       device_(std::move(device)),
       loops_(device_),
-      on_(std::make_unique<Arrays>(*device_, bins_of(level.grid, level.setup.dp, level.quanta.size))) {
+      on_(std::make_unique<Arrays>(*device_, bins_of(level.grid, level.setup.dp, level.fixed_point.size))) {
     cuda::Device& d = *device_;
     Walls& walls = level_.walls;
     on_->maps.take(level_.ghosts.maps());
@@ -59,10 +59,10 @@ NearWalls LevelOnDevice::near_walls() {
             .skins = take_skins()};
 }
 
-/// How the surfaces of bodies that give way move now; null: there are none.
+/// How the surfaces of bodies that deform move now; null: there are none.
 const SkinMotion* LevelOnDevice::take_skins() {
     Walls& walls = level_.walls;
-    if (!walls.give_way() || walls.empty()) return nullptr;
+    if (!walls.any_deformable() || walls.empty()) return nullptr;
     std::vector<SkinMotion> motions;
     for (std::size_t b = 0; b < on_->skins.size(); ++b) {
         const Attached::Skin skin = walls.attached(b)->skin();
@@ -78,7 +78,8 @@ const SkinMotion* LevelOnDevice::take_skins() {
 
 LevelOnDevice::~LevelOnDevice() = default;
 
-// --- from and to the host ---------------------------------------------------------------------------------------------
+// --- from and to the host
+// ---------------------------------------------------------------------------------------------
 
 void LevelOnDevice::take_state() {
     on_->p.each_moving_with(level_.particles, [](auto& on, const auto& field) { on.take(field); });
@@ -129,7 +130,8 @@ KindCounts LevelOnDevice::count(CountKinds kinds) {
 
 double LevelOnDevice::bytes_on_device() const { return on_->bytes() + double(loops_.bytes()); }
 
-// --- a step -------------------------------------------------------------------------------------------------------------
+// --- a step
+// -------------------------------------------------------------------------------------------------------------
 
 void LevelOnDevice::prune(double drift) {
     Arrays& on = *on_;
@@ -137,11 +139,11 @@ void LevelOnDevice::prune(double drift) {
     PruneData d;
     d.lists = on.lists.view();
     d.of = d.place = on.p.place.data();
-    d.reach = level_.reach_among(drift) / level_.quanta.size;
+    d.reach = level_.reach_among(drift) / level_.fixed_point.size;
     cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
     if (level_.walls.empty()) return;
-    d.reach = level_.reach_to_walls(drift) / level_.quanta.size;
+    d.reach = level_.reach_to_walls(drift) / level_.fixed_point.size;
     for (const Arrays::Part& part : on.parts) {
         d.lists = part.lists.view();
         d.of = on.wall_place.data() + part.first;
@@ -157,7 +159,7 @@ void LevelOnDevice::update_records() {
     Arrays& on = *on_;
     if (host_counts_) take_state();
     cuda::launch(*device_,
-                 UpdateRecords{on.p.view(), level_.to_quanta(), on.p.place.data(), on.p.velocity_density.data()},
+                 UpdateRecords{on.p.view(), level_.to_fixed_point(), on.p.place.data(), on.p.velocity_density.data()},
                  on.p.size());
     refresh_images(level_.time, false);
 }
@@ -166,7 +168,7 @@ void LevelOnDevice::refresh_images(double t, bool with_stress) {
     GradientPressureRecord* const stress = with_stress ? on_->p.gradient_pressure.data() : nullptr;
     const auto refresh = [&](const auto& force) {
         cuda::launch(*device_,
-                     cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.quanta.size,
+                     cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.fixed_point.size,
                                          level_.ghosts.still(), force, on_->p.place.data(),
                                          on_->p.velocity_density.data(), stress},
                      on_->links.size());
@@ -221,7 +223,7 @@ StepView LevelOnDevice::step_view(double t) {
 void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     Arrays& on = *on_;
     if (host_counts_) take_state();
-    FirstSweepData d = level_.first_sweep_data();
+    FirstPairLoopData d = level_.first_pair_loop_data();
     d.water = water(), d.walls = walls();
     d.stress = on.p.gradient_pressure.data(), d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data();
     d.other = other;
@@ -241,7 +243,7 @@ void LevelOnDevice::mark_surface() {
 void LevelOnDevice::compress(double compress, double drift) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    const AfterFirstSweep after = level_.after_first_sweep(on.p.all(), compress, drift);
+    const AfterFirstPairLoop after = level_.after_first_pair_loop(on.p.all(), compress, drift);
     on.p.density_rate.set_zero();
     const StateEquation& state_equation = level_.setup.state_equation;
     const double c0 = state_equation.c0;
@@ -270,7 +272,7 @@ void LevelOnDevice::press_walls() {
 
 void LevelOnDevice::second_pair_loop(double t) {
     Arrays& on = *on_;
-    SecondSweepData d = level_.second_sweep_data(t);
+    SecondPairLoopData d = level_.second_pair_loop_data(t);
     d.water = water(), d.walls = walls();
     d.leaving = or_null(on.p.wall_leaving);
     d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data(), d.wall_load = on.wall_load.data();
@@ -278,7 +280,7 @@ void LevelOnDevice::second_pair_loop(double t) {
     home_ = false;
 }
 
-void LevelOnDevice::bring_loads_home() { on_->wall_load.give(level_.walls.group_loads()); }
+void LevelOnDevice::copy_loads_to_host() { on_->wall_load.give(level_.walls.group_loads()); }
 
 std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     Arrays& on = *on_;
@@ -318,7 +320,7 @@ std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     return {moved};
 }
 
-void LevelOnDevice::bring_home(const std::vector<std::size_t>& particles) {
+void LevelOnDevice::copy_to_host(const std::vector<std::size_t>& particles) {
     if (!home_) fetch(std::vector<std::int32_t>(particles.begin(), particles.end()));
 }
 

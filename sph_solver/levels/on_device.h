@@ -8,14 +8,14 @@
 #include "sph_solver/levels/rank_share.h"
 #include "sph_solver/levels/step_maker.h"
 #include "sph_solver/loops/wall_motion.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
 /// A level whose steps are made by a graphics processor. In a step the host gets the loads of the groups at walls, the
-/// forces on the dummies of bodies that give way, the extremes, and the few particles that a wall has to hold; when lists
+/// forces on the dummies of bodies that deform, the extremes, and the few particles that a wall has to hold; when lists
 /// are made, the places of those near walls, of which it finds the nearest; and at the edge of a zone who is to have
-/// children. It sends where the dummies are, and how bodies and the skins of those that give way move.
+/// daughters. It sends where the dummies are, and how bodies and the skins of those that deform move.
 class LevelOnDevice : public StepMaker {
 public:
     /// Both must outlive this; lists are made afterwards.
@@ -24,7 +24,7 @@ public:
 
     void bring_all_home() override;
     void bring_motion_home() override;
-    void bring_home(const std::vector<std::size_t>& particles) override;
+    void copy_to_host(const std::vector<std::size_t>& particles) override;
     void note_changed_state() override { host_counts_ = true; }
     KindCounts count(CountKinds kinds) override;
     double bytes_on_device() const override;
@@ -42,7 +42,7 @@ public:
     void refresh_images(double t) override { refresh_images(t, true); }
     void press_walls() override;
     void second_pair_loop(double t) override;
-    void bring_loads_home() override;
+    void copy_loads_to_host() override;
 
     Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
     std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
@@ -57,8 +57,8 @@ public:
     std::int64_t remove_gone(const std::vector<std::size_t>& more) override;
     std::vector<Parent> find_parents(double within) override;
     std::vector<Located> between(double from, double to) override;
-    std::vector<Located> guards() override;
-    void add(const std::vector<Child>& children) override;
+    std::vector<Located> buffers() override;
+    void add(const std::vector<Child>& daughters) override;
     void forget_edge(With whose) override;
     void interpolate(FieldsAt& at) override;
     Followed follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) override;
@@ -82,7 +82,7 @@ private:
     void refresh_images(double t, bool with_stress);
     void fetch(const std::vector<std::int32_t>& particles);
     void put_back(const std::vector<std::int32_t>& held);  ///< after the host has held them
-    /// Fields at places in this level's quanta.
+    /// Fields at places in this level's fixed-point units.
     cuda::FoundAt ask(const cuda::Array<WidePlace>& wide, const Asking& asking);
     std::vector<cuda::DeviceSource> note_giving(const Asking& asking);
     template <class Label>
@@ -91,7 +91,7 @@ private:
     std::vector<Located> located(const int* which, std::size_t n);
     std::vector<Located> marked();
     cuda::FoundAt ask_other(EdgeSteps& level, double ahead, const Asking& asking);
-    std::size_t list_following(bool guards);
+    std::size_t list_following(bool buffers);
     template <class Task>
     std::int64_t hand(const Task& task, std::size_t n);
     double fastest2_of_following();

@@ -5,10 +5,11 @@
 
 namespace tw {
 
-// --- an evaluation ----------------------------------------------------------------------------------------------------
+// --- an evaluation
+// ----------------------------------------------------------------------------------------------------
 
 void LevelOnProcessor::first_pair_loop(const OtherSums* other) {
-    FirstSweepData d = level_.first_sweep_data();
+    FirstPairLoopData d = level_.first_pair_loop_data();
     d.other = other;
     for_pairs(level_.passes, d, level_.near.groups);
 }
@@ -23,7 +24,7 @@ void LevelOnProcessor::mark_surface() {
 void LevelOnProcessor::compress(double compress, double drift) {
     Particles& p = level_.particles;
     if (p.has(With::coarser)) p.density_rate.assign(p.size(), 0);
-    const AfterFirstSweep after = level_.after_first_sweep(p.view(), compress, drift);
+    const AfterFirstPairLoop after = level_.after_first_pair_loop(p.view(), compress, drift);
     for_particles(p.size(), [&](std::size_t i) {
         after(
             i, [&](float drho) { return level_.setup.state_equation.pressure(level_.setup.rho0, drho); },
@@ -49,16 +50,17 @@ void LevelOnProcessor::press_walls() {
 }
 
 void LevelOnProcessor::second_pair_loop(double t) {
-    for_pairs(level_.passes, level_.second_sweep_data(t), level_.near.groups);
+    for_pairs(level_.passes, level_.second_pair_loop_data(t), level_.near.groups);
 }
 
-// --- loads and the end of a step --------------------------------------------------------------------------------------
+// --- loads and the end of a step
+// --------------------------------------------------------------------------------------
 
 Vec3 LevelOnProcessor::centre_of_group(std::size_t k) const {
     const Group& g = level_.near.groups[k];
     const auto i = static_cast<std::size_t>(g.first);
     const Particles& p = level_.particles;
-    const Quanta& q = level_.quanta;
+    const Quanta& q = level_.fixed_point;
     return {q.metres(g.x, 0, p.x[i]), q.metres(g.y, 1, p.y[i]), q.metres(g.z, 2, p.z[i])};
 }
 

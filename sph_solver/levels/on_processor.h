@@ -15,7 +15,7 @@ public:
     // all is at home
     void bring_all_home() override {}
     void bring_motion_home() override {}
-    void bring_home(const std::vector<std::size_t>&) override {}
+    void copy_to_host(const std::vector<std::size_t>&) override {}
     void note_changed_state() override {}
     KindCounts count(CountKinds kinds) override;
     double bytes_on_device() const override { return 0; }
@@ -33,7 +33,7 @@ public:
     void refresh_images(double t) override;
     void press_walls() override;
     void second_pair_loop(double t) override;
-    void bring_loads_home() override {}
+    void copy_loads_to_host() override {}
 
     Vec3 centre_of_group(std::size_t k) const override;
     std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
@@ -48,8 +48,8 @@ public:
     std::int64_t remove_gone(const std::vector<std::size_t>& more) override;
     std::vector<Parent> find_parents(double within) override;
     std::vector<Located> between(double from, double to) override;
-    std::vector<Located> guards() override;
-    void add(const std::vector<Child>& children) override;
+    std::vector<Located> buffers() override;
+    void add(const std::vector<Child>& daughters) override;
     void forget_edge(With whose) override;
     void interpolate(FieldsAt& at) override;
     Followed follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) override;
@@ -65,7 +65,7 @@ private:
     ParticleSystem& level_;
     RankShare& share_;
     std::vector<double> outside_;  ///< of each particle from the edge of the finer zone, at the last labelling [m]
-    std::vector<int> gone_;        ///< of each particle of a level that has guards
+    std::vector<int> gone_;        ///< of each particle of a level that has buffer particles
 };
 
 }  // namespace tw

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "sph_solver/effects/effects.h"
-#include "sph_solver/equations/water_touch.h"
+#include "sph_solver/equations/water_completeness.h"
 
 namespace tw {
 
 namespace {
 
-Quanta quanta_of(const Surroundings& around, double dp) {
+Quanta fixed_point_of(const Surroundings& around, double dp) {
     Vec3 middle = (around.domain.min + around.domain.max) / 2;
     if (around.dimensions == 2) middle.y() = 0;
     return Quanta(middle, dp / (1 << 18));
@@ -42,16 +42,16 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
       h(setup.h_over_dp * setup.dp),
       mass(setup.rho0 * (fluid.volume > 0 ? fluid.volume : std::pow(setup.dp, around.dimensions))),
       kernel(h, around.dimensions),
-      given_back(static_cast<float>(WaterTouch::of_plane_surface(kernel, setup.dp, around.dimensions))),
-      quanta(quanta_of(around, setup.dp)),
-      grid(column_area(around, kernel.support(), setup.dp), setup.dp, around.dimensions, quanta, passes.lanes),
-      ghosts(around, setup, quanta),
-      walls(bodies, around, setup, kernel.support(), grid, quanta, passes.lanes) {
+      given_back(static_cast<float>(WaterCompleteness::of_plane_surface(kernel, setup.dp, around.dimensions))),
+      fixed_point(fixed_point_of(around, setup.dp)),
+      grid(column_area(around, kernel.support(), setup.dp), setup.dp, around.dimensions, fixed_point, passes.lanes),
+      ghosts(around, setup, fixed_point),
+      walls(bodies, around, setup, kernel.support(), grid, fixed_point, passes.lanes) {
     for (const EffectOn& on : options) particles.bring(effects.emplace_back(on.make())->brings());
     if (!walls.empty()) {
         particles.bring(With::walls);
         if (walls.move()) particles.bring(With::moving_bodies);
-        if (walls.give_way()) particles.bring(With::elastic_bodies);
+        if (walls.any_deformable()) particles.bring(With::elastic_bodies);
     }
     particles.reserve(fluid.places.size());
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
@@ -85,7 +85,7 @@ WaterView ParticleSystem::water_view() const {
             .surface = r.surface.data(),
             .kind = of_one_kind ? nullptr : particles.kind.data(),
             .kernel = kernel,
-            .quantum = static_cast<float>(quanta.size),
+            .quantum = static_cast<float>(fixed_point.size),
             .rho0 = static_cast<float>(setup.rho0),
             .inv_mass = static_cast<float>(1 / mass),
             .two_dimensional = around.dimensions == 2};
@@ -101,7 +101,7 @@ WallView ParticleSystem::wall_view() const {
             .normal = particles.wall_normal.data()};
 }
 
-FirstSweepData ParticleSystem::first_sweep_data() {
+FirstPairLoopData ParticleSystem::first_pair_loop_data() {
     Particles& r = particles;
     return {.water = water_view(),
             .walls = wall_view(),
@@ -117,30 +117,31 @@ FirstSweepData ParticleSystem::first_sweep_data() {
             .given_back = given_back};
 }
 
-SecondSweepData ParticleSystem::second_sweep_data(double t) {
+SecondPairLoopData ParticleSystem::second_pair_loop_data(double t) {
     const LevelSetup& s = setup;
     const double stream_acceleration = around.stream ? around.stream->acceleration(t) : 0;
-    SecondSweepData d{.water = water_view(),
-                      .walls = wall_view(),
-                      .leaving = particles.wall_leaving.data(),
-                      .since_lists = static_cast<float>(near.life.age),
-                      .shift = particles.shift_support.data(),
-                      .rate = particles.rate.data(),
-                      .wall_load = walls.group_loads().data(),
-                      .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
-                      .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h * s.rho0) : 0,
-                      .packing_reach = static_cast<float>(kernel.support() - s.dp / 2),
-                      .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
-                      .gx = static_cast<float>(around.weight().x() + stream_acceleration),
-                      .gy = static_cast<float>(around.weight().y()),
-                      .gz = static_cast<float>(around.weight().z())};
+    SecondPairLoopData d{
+        .water = water_view(),
+        .walls = wall_view(),
+        .leaving = particles.wall_leaving.data(),
+        .since_lists = static_cast<float>(near.life.age),
+        .shift = particles.shift_support.data(),
+        .rate = particles.rate.data(),
+        .wall_load = walls.group_loads().data(),
+        .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
+        .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h * s.rho0) : 0,
+        .packing_reach = static_cast<float>(kernel.support() - s.dp / 2),
+        .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
+        .gx = static_cast<float>(around.weight().x() + stream_acceleration),
+        .gy = static_cast<float>(around.weight().y()),
+        .gz = static_cast<float>(around.weight().z())};
     if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
     return d;
 }
 
-AfterFirstSweep ParticleSystem::after_first_sweep(const FieldsView& f, double compress, double drift) const {
+AfterFirstPairLoop ParticleSystem::after_first_pair_loop(const FieldsView& f, double compress, double drift) const {
     return {.p = state_of(f),
-            .to_quanta = to_quanta(),
+            .to_fixed_point = to_fixed_point(),
             .kind = f.kind,
             .rate = f.rate,
             .shift = f.shift_support,
@@ -171,7 +172,7 @@ InterpolateData ParticleSystem::interpolation() const {
         (setup.rho0 / (setup.state_equation.c0 * setup.state_equation.c0) * around.gravity).cast<float>();
     InterpolateData d;
     d.water.kernel = Kernel(interpolation_h_over_dp * setup.dp, around.dimensions);
-    d.water.quantum = static_cast<float>(quanta.size);
+    d.water.quantum = static_cast<float>(fixed_point.size);
     d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
     d.water.two_dimensional = around.dimensions == 2;
     return d;

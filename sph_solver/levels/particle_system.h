@@ -15,19 +15,19 @@
 #include "sph_solver/ghosts/ghosts.h"
 #include "sph_solver/ghosts/open_boundaries.h"
 #include "sph_solver/levels/control_volume.h"
-#include "sph_solver/loops/after_first_sweep.h"
+#include "sph_solver/loops/after_first_pair_loop.h"
 #include "sph_solver/loops/at_edge.h"
 #include "sph_solver/neighbours/columns.h"
 #include "sph_solver/neighbours/list_life.h"
-#include "sph_solver/sweeps/interpolate.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/interpolate.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
 struct EffectOptions;
 
-/// Who stands where, and who meets whom. Where a device makes the steps only what the host has asked for is here, and of
-/// the groups those at walls.
+/// Who stands where, and who meets whom. Where a device makes the steps only what the host has asked for is here, and
+/// of the groups those at walls.
 struct Neighbours {
     std::vector<std::int32_t> start;  ///< first particle of each column
     std::vector<Group> groups;
@@ -36,8 +36,8 @@ struct Neighbours {
 };
 
 /// What the particles of a level are: their state, kernel and material, the walls, images and effects that act on them.
-/// Data for those who make the steps (step_maker.h) and share the particles among ranks (rank_share.h): what is done with
-/// it, and in which order, is theirs and Level's. Others see it through Level.
+/// Data for those who make the steps (step_maker.h) and share the particles among ranks (rank_share.h): what is done
+/// with it, and in which order, is theirs and Level's. Others see it through Level.
 struct ParticleSystem {
     /// As that of Level.
     ParticleSystem(const Surroundings& surroundings, LevelSetup material, const EffectOptions& options,
@@ -54,8 +54,8 @@ struct ParticleSystem {
     double time = 0, dt = 0;  ///< [s]
     std::int64_t steps = 0;
     Kernel kernel;
-    float given_back;  ///< [m], a of WaterTouch
-    Quanta quanta;
+    float given_back;  ///< [m], a of WaterCompleteness
+    Quanta fixed_point;
     ColumnGrid grid;
     Particles particles;
     Ghosts ghosts;
@@ -71,14 +71,14 @@ struct ParticleSystem {
         Particles& p = particles;
         return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
     }
-    ToQuanta to_quanta() const {
-        const Vec3& o = quanta.origin;
-        return {o.x(), o.y(), o.z(), quanta.per_metre, static_cast<float>(mass), static_cast<float>(setup.rho0)};
+    ToQuanta to_fixed_point() const {
+        const Vec3& o = fixed_point.origin;
+        return {o.x(), o.y(), o.z(), fixed_point.per_metre, static_cast<float>(mass), static_cast<float>(setup.rho0)};
     }
     WaterView water_view() const;
     WallView wall_view() const;
-    FirstSweepData first_sweep_data();
-    SecondSweepData second_sweep_data(double t);
+    FirstPairLoopData first_pair_loop_data();
+    SecondPairLoopData second_pair_loop_data(double t);
     ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
     InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     StepView step_view(double t, const Halo& halo);
@@ -87,7 +87,7 @@ struct ParticleSystem {
     LacksSupport lacks_support(const FieldsView& f) const {
         return {f.kind, f.trend, f.shift_support, setup.surface_support};
     }
-    AfterFirstSweep after_first_sweep(const FieldsView& f, double compress, double drift) const;
+    AfterFirstPairLoop after_first_pair_loop(const FieldsView& f, double compress, double drift) const;
     /// The caller says where to.
     TakeGiving giving(const FieldsView& f, const Link* links, std::size_t n, const Asking& asking) const;
 
@@ -101,8 +101,8 @@ struct ParticleSystem {
     };
     ReachesOfLists reaches_of_lists(double drift) const;
     double reach_of_normals() const { return 2 * kernel.support() + setup.dp; }  ///< of the nearest walls
-    /// Of points that see the particles by a kernel. These may be elsewhere than when they were sorted (`stale`), with a
-    /// margin, because the travel is that of particles that the water's equations move: what others come farther is
+    /// Of points that see the particles by a kernel. These may be elsewhere than when they were sorted (`stale`), with
+    /// a margin, because the travel is that of particles that the water's equations move: what others come farther is
     /// missing at the rim of the kernel, where it weighs (0.1 dp / 2h)^4 at most.
     Reaches reaches_of_points(const Kernel& of) const;
     Reaches reaches_of_interpolation() const;

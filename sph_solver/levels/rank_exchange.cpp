@@ -18,18 +18,18 @@ void append(Comm::Bytes& to, const T& what) {
 }
 }  // namespace
 
-void RankShare::tell_samples(PointSamples& points) const {
+void RankShare::exchange_samples(PointSamples& points) const {
     for (std::vector<float>* values : {&points.p, &points.support, &points.flux})
         ranks().take_from_owners(std::span(*values));
 }
 
-void RankShare::tell_first_sweep() {
+void RankShare::tell_first_pair_loop() {
     struct Sums {
         float gx, gy, gz, support, drho;
     };
     Particles& p = level_.particles;
     const std::size_t carried = p.carried.empty() ? 0 : sizeof(CarriedShare);
-    halo_.tell(
+    halo_.exchange(
         sizeof(Sums) + carried,
         [&](std::size_t i, std::byte* to) {
             const GradientPressureRecord& g = p.gradient_pressure[i];
@@ -59,8 +59,8 @@ void RankShare::interpolate_together(FieldsAt& at, const std::function<void(Fiel
     std::vector<Comm::Bytes> questions(size);
     for (std::size_t k = 0; k < n; ++k) {
         const Vec3& x = at.places[k];
-        asked[k] =
-            static_cast<std::size_t>(columns_.owner(level_.grid.of(columns.centre(columns.of(level_.quanta.wide(x))))));
+        asked[k] = static_cast<std::size_t>(
+            columns_.owner(level_.grid.of(columns.centre(columns.of(level_.fixed_point.wide(x))))));
         append(questions[asked[k]], std::array{x.x(), x.y(), x.z()});
     }
     const std::vector<Comm::Bytes> theirs = all.exchange(questions);
@@ -134,9 +134,9 @@ Particles RankShare::gathered() const {
     return all;
 }
 
-template <class Blow>
-std::vector<Blow> RankShare::of_all_ranks(const std::vector<Blow>& own,
-                                          const std::vector<std::int32_t>& columns) const {
+template <class AtPlace>
+std::vector<AtPlace> RankShare::of_all_ranks(const std::vector<AtPlace>& own,
+                                             const std::vector<std::int32_t>& columns) const {
     if (!ranks().many()) return own;
     struct Sent {
         std::int32_t column, triangle;
@@ -150,16 +150,16 @@ std::vector<Blow> RankShare::of_all_ranks(const std::vector<Blow>& own,
     }
     std::vector<Sent> all = ranks().gathered(sent);
     std::ranges::stable_sort(all, {}, &Sent::column);
-    std::vector<Blow> blows;
+    std::vector<AtPlace> impulses;
     for (const Sent& s : all)
-        blows.push_back({static_cast<std::size_t>(s.body), s.triangle, Vec3(s.place_and_what.data()),
-                         Vec3(s.place_and_what.data() + 3)});
-    return blows;
+        impulses.push_back({static_cast<std::size_t>(s.body), s.triangle, Vec3(s.place_and_what.data()),
+                            Vec3(s.place_and_what.data() + 3)});
+    return impulses;
 }
 template std::vector<WallPush> RankShare::of_all_ranks(const std::vector<WallPush>&,
                                                        const std::vector<std::int32_t>&) const;
-template std::vector<WallStrike> RankShare::of_all_ranks(const std::vector<WallStrike>&,
-                                                         const std::vector<std::int32_t>&) const;
+template std::vector<WallImpulse> RankShare::of_all_ranks(const std::vector<WallImpulse>&,
+                                                          const std::vector<std::int32_t>&) const;
 
 void RankShare::fail_together(const Failing& failing) const {
     struct Rank {

@@ -44,7 +44,7 @@ void RankShare::refuse_idle(int count) const {
     std::vector<char> busy(static_cast<std::size_t>(level_.grid.count()), 0);
     for (std::size_t i = 0; i < level_.particles.size(); ++i)
         busy[static_cast<std::size_t>(level_.grid.of(
-            level_.quanta.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))] = 1;
+            level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))] = 1;
     const std::int64_t columns = std::ranges::count(busy, 1);
     if (columns < count)
         throw InputError(fmt::format("the {} stands in {} columns of particles, and there are {} ranks: take fewer",
@@ -137,8 +137,8 @@ void RankShare::add_work(std::vector<std::int64_t>& of_columns) const {
             of_columns[static_cast<std::size_t>(group_columns_[k])] +=
                 level_.near.groups[k].size * (1 + level_.live_pairs(level_.near.groups[k]));
     for (std::size_t i = 0; i < level_.particles.size() && whole_ && ranks().first(); ++i)
-        ++of_columns[static_cast<std::size_t>(
-            level_.grid.of(level_.quanta.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))];
+        ++of_columns[static_cast<std::size_t>(level_.grid.of(
+            level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))];
 }
 
 /// Divides the columns where their work, and that of a level which follows, has become uneven.
@@ -175,13 +175,14 @@ void RankShare::hold_columns(const std::vector<std::int32_t>& staying, double re
     std::vector<std::int32_t> column(n);
     for_particles(n, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(staying[k]);
-        column[k] =
-            level_.grid.of(level_.quanta.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]}));
+        column[k] = level_.grid.of(
+            level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]}));
     });
     // those that see points between particles have moved since, see SortedPlaces::stale
-    columns_.find_holders(level_.grid, level_.around.mirrors, level_.quanta.wide(level_.around.domain.min),
-                          level_.quanta.wide(level_.around.domain.max),
-                          static_cast<std::int64_t>((reach + 0.1 * level_.setup.dp) * level_.quanta.per_metre) + 1);
+    columns_.find_holders(
+        level_.grid, level_.around.mirrors, level_.fixed_point.wide(level_.around.domain.min),
+        level_.fixed_point.wide(level_.around.domain.max),
+        static_cast<std::int64_t>((reach + 0.1 * level_.setup.dp) * level_.fixed_point.per_metre) + 1);
     const int self = ranks().rank();
     std::vector<std::int32_t> kept;
     std::vector<Comm::Bytes> to(static_cast<std::size_t>(ranks().size()));

@@ -16,8 +16,9 @@
 
 namespace tw {
 
-/// What of a level's particles this rank holds, and what it exchanges with the others: each owns whole columns, and holds
-/// copies of the columns round them. Of one process all of it is a matter of course: it owns all, and exchanges nothing.
+/// What of a level's particles this rank holds, and what it exchanges with the others: each owns whole columns, and
+/// holds copies of the columns round them. Of one process all of it is a matter of course: it owns all, and exchanges
+/// nothing.
 class RankShare {
 public:
     /// `level` must outlive this, with the particles that a run begins with.
@@ -34,8 +35,8 @@ public:
     std::function<bool(int)> own_columns() const;  ///< empty: all are
     /// Throws InputError where so many ranks are more than the columns with particles; before the first step.
     void refuse_idle(int count) const;
-    /// From now on the columns go to the ranks as those of another level of the same columns do, which has its lists made
-    /// first.
+    /// From now on the columns go to the ranks as those of another level of the same columns do, which has its lists
+    /// made first.
     void share_columns_with(RankShare& leading) { leading.following_ = this, columns_of_ = &leading; }
 
     // --- which particles it holds
@@ -56,11 +57,11 @@ public:
     void note_columns_of_groups();
 
     // --- what ranks tell each other
-    void tell_first_sweep();
+    void tell_first_pair_loop();
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
     /// Each point is worked out by one rank, and nothing on the others.
-    void tell_samples(PointSamples& points) const;
+    void exchange_samples(PointSamples& points) const;
     /// Fields at places: `here` works out those of which this rank owns the columns.
     void interpolate_together(FieldsAt& at, const std::function<void(FieldsAt&)>& here) const;
     /// Of several ranks all of it, with indices in the order in which one process holds all; else `own`.
@@ -69,8 +70,8 @@ public:
     /// The one that has it; nothing: another process owns it.
     std::optional<std::size_t> owned(std::int64_t among_all) const;
     /// Puts what all ranks have of blows in the order of their columns.
-    template <class Blow>
-    std::vector<Blow> of_all_ranks(const std::vector<Blow>& own, const std::vector<std::int32_t>& columns) const;
+    template <class AtPlace>
+    std::vector<AtPlace> of_all_ranks(const std::vector<AtPlace>& own, const std::vector<std::int32_t>& columns) const;
     /// The numbers 0, 1, ... of things of all ranks, each by a particle, in the order of these; `by` names those of the
     /// own things in ascending order.
     struct Numbers {

@@ -21,7 +21,7 @@ struct SortedPlaces {
                  const std::function<bool(int)>& wanted = {})
         : grid(level.grid.scaled(apart)) {
         std::vector<WidePlace> raw(points.size());
-        for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.quanta.wide(points[k]); });
+        for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.fixed_point.wide(points[k]); });
         sort_by_column(grid, raw, order, start);
         places.resize(raw.size());
         for_particles(raw.size(),
@@ -34,7 +34,7 @@ struct SortedPlaces {
 
     /// Of a kernel, among a level's sources.
     void find_neighbours(const Kernel& kernel, const ParticleSystem& level, const std::vector<Source>& sources) {
-        lists.build(level.passes, level.quanta, sorted(), groups, sources, level.reaches_of_points(kernel));
+        lists.build(level.passes, level.fixed_point, sorted(), groups, sources, level.reaches_of_points(kernel));
     }
 };
 

@@ -14,7 +14,7 @@
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/move.h"
 #include "sph_solver/loops/pressed.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
@@ -23,22 +23,22 @@ struct Moved : MovedExtremes {
     // per unit of particle mass
     ExactVectorSum crossed{};          ///< momentum into the control volume [m/s]
     std::vector<PushSum> on_bodies{};  ///< impulse of particles held at the wall of each of them [m/s]; empty: none
-    std::vector<WallStrike> on_elastic{};
+    std::vector<WallImpulse> on_elastic{};
     std::vector<std::size_t> by{};  ///< who gave each of those
     std::int64_t held = 0;
 };
 
-/// Who makes the parts of a level's step: this processor (on_processor.h) or a device (on_device.h). Level says in which
-/// order, and lets effects act and ranks exchange between them.
+/// Who makes the parts of a level's step: this processor (on_processor.h) or a device (on_device.h). Level says in
+/// which order, and lets effects act and ranks exchange between them.
 ///
-/// The host's particles are the valid ones on a processor. A device keeps particles, packed arrays (records) and lists in
-/// its memory, and copies them to the host ("home") when it is asked for them.
+/// The host's particles are the valid ones on a processor. A device keeps particles, packed arrays (records) and lists
+/// in its memory, and copies them to the host ("home") when it is asked for them.
 class StepMaker : public EdgeSteps {
 public:
     // --- between the host's particles and those of who makes the steps
     virtual void bring_all_home() = 0;
-    virtual void bring_motion_home() = 0;                                    ///< positions, velocities and kinds alone
-    virtual void bring_home(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes
+    virtual void bring_motion_home() = 0;  ///< positions, velocities and kinds alone
+    virtual void copy_to_host(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes
     /// The host's copy is the valid one from now on: it has changed the state of particles, or holds others.
     virtual void note_changed_state() = 0;
     virtual KindCounts count(CountKinds kinds) = 0;  ///< of the own particles; completed by the arrays of who counts
@@ -64,13 +64,13 @@ public:
 
     // --- an evaluation of the rates, in this order
     virtual StepView step_view(double t) = 0;                  ///< for loops of others
-    virtual void first_pair_loop(const OtherSums* other) = 0;  ///< see sweeps/right_hand_side.h
+    virtual void first_pair_loop(const OtherSums* other) = 0;  ///< see pair_loops/right_hand_side.h
     virtual void mark_surface() = 0;
-    virtual void compress(double compress, double drift) = 0;  ///< see loops/after_first_sweep.h
+    virtual void compress(double compress, double drift) = 0;  ///< see loops/after_first_pair_loop.h
     virtual void refresh_images(double t) = 0;                 ///< after pressures have changed
     virtual void press_walls() = 0;                            ///< pressures of dummies
     virtual void second_pair_loop(double t) = 0;
-    virtual void bring_loads_home() = 0;  ///< of the groups at walls
+    virtual void copy_loads_to_host() = 0;  ///< of the groups at walls
 
     // --- the loads
     virtual Vec3 centre_of_group(std::size_t k) const = 0;  ///< of the host's groups [m]

@@ -12,8 +12,8 @@
 namespace tw {
 
 /// Which particles of a level give fields to places of another level's: its own water; that and what stands for a finer
-/// level's; all, guards included.
-enum class Giving : std::uint8_t { active, not_guards, all };
+/// level's; all, buffer particles included.
+enum class Giving : std::uint8_t { active, not_buffers, all };
 
 /// What is asked of a level at places that are none of its particles.
 struct Asking {
@@ -21,8 +21,8 @@ struct Asking {
     double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
-    /// The mean kernel support is given, and this taken off the densities of the particles. Null: neither, as before the
-    /// level's first sweep, when its particles may stand in another order than when their supports were found.
+    /// The mean kernel support is given, and this taken off the densities of the particles. Null: neither, as before
+    /// the level's first pair loop, when its particles may stand in another order than when their supports were found.
     const SurfaceExcess* without = nullptr;
 };
 
@@ -47,7 +47,7 @@ struct TakeGiving {
     std::size_t source_of(std::size_t i) const { return i < n ? i : static_cast<std::size_t>(links[i - n].index); }
     bool counts(std::size_t i) const {
         const Kind own = kind[source_of(i)];
-        return of == Giving::all || is_active(own) || (of == Giving::not_guards && own != Kind::guard);
+        return of == Giving::all || is_active(own) || (of == Giving::not_buffers && own != Kind::buffer);
     }
     /// As the k-th of those that count.
     void put(std::size_t i, std::size_t k) const {
@@ -75,23 +75,23 @@ struct Given {
     bool known() const { return support >= no_water; }
 };
 
-/// Water that leaves its level's zone becomes a guard where the coarser level covers it, half a fine spacing below a plane
-/// free surface included; else it goes on as spray.
-struct BecomeGuard {
+/// Water that leaves its level's zone becomes a buffer particle where the coarser level covers it, half a fine spacing
+/// below a plane free surface included; else it goes on as spray.
+struct BecomeBuffer {
     static constexpr float covered = 0.5f;
     Kind* kind = nullptr;
 
     /// Whether it has.
     bool operator()(std::size_t i, const Given& given) const {
         if (given.support < covered) return false;
-        kind[i] = Kind::guard;
+        kind[i] = Kind::buffer;
         return true;
     }
 };
 
 /// Of particles that a level gave its fields to.
 struct Followed {
-    double fastest2 = 0;       ///< the largest square of their speeds before, of guards [m2/s2]
+    double fastest2 = 0;       ///< the largest square of their speeds before, of buffer particles [m2/s2]
     std::int64_t orphans = 0;  ///< without water of the other level near
 
     Followed& operator+=(const Followed& other) {
@@ -112,12 +112,12 @@ inline V3<double> place_ahead(const StateView& p, std::size_t i, double time) {
             p.z[i] + time * static_cast<double>(p.w[i])};
 }
 
-/// What a guard becomes until its level has moved as far as the coarser one, see Refinement::prolong.
+/// What a buffer particle becomes until its level has moved as far as the coarser one, see Refinement::prolong.
 struct FollowCoarser {
     StateView p{};
     Trend* trend = nullptr;
     SurfaceExcess excess{};            ///< a fine surface's comes in place of a coarse one's
-    double row = 0;                    ///< of the guard's level [kg/m3]
+    double row = 0;                    ///< of the buffer particle's level [kg/m3]
     double moved = 0, compressed = 0;  ///< [s]
     V3<float> fall{};                  ///< acceleration of what has no water near [m/s2]
 
@@ -155,7 +155,7 @@ struct FollowFiner {
             return;
         }
         compression[i] = 0;
-        if (kind[i] == Kind::carried) set(i, p.u[i] + fall.x, p.v[i] + fall.y, p.w[i] + fall.z, 0);
+        if (kind[i] == Kind::slave) set(i, p.u[i] + fall.x, p.v[i] + fall.y, p.w[i] + fall.z, 0);
     }
 
 private:

@@ -8,13 +8,13 @@ namespace tw {
 /// How many of a level's particles stand for the water of others, all others are active; and how many of them, and of
 /// its own water, are beyond inlet or outlet.
 struct KindCounts {
-    int guards = 0, band = 0, carried = 0;
-    int under_beyond = 0;  ///< of band and carried
-    int water_beyond = 0;  ///< of all but guards
+    int buffers = 0, overlap = 0, slaves = 0;
+    int under_beyond = 0;  ///< of overlap and slaves
+    int water_beyond = 0;  ///< of all but buffer particles
 
-    int under() const { return band + carried; }
+    int under() const { return overlap + slaves; }
     KindCounts& operator+=(const KindCounts& other) {
-        guards += other.guards, band += other.band, carried += other.carried;
+        buffers += other.buffers, overlap += other.overlap, slaves += other.slaves;
         under_beyond += other.under_beyond, water_beyond += other.water_beyond;
         return *this;
     }
@@ -30,12 +30,12 @@ struct CountKinds {
     template <class AddOne>
     void operator()(std::size_t i, const AddOne& add_one) const {
         const Kind k = kind[i];
-        if (k == Kind::guard) {
-            add_one(&counts->guards);
+        if (k == Kind::buffer) {
+            add_one(&counts->buffers);
             return;
         }
-        if (k == Kind::band) add_one(&counts->band);
-        if (k == Kind::carried) add_one(&counts->carried);
+        if (k == Kind::overlap) add_one(&counts->overlap);
+        if (k == Kind::slave) add_one(&counts->slaves);
         if (x[i] >= first && x[i] <= last) return;
         add_one(&counts->water_beyond);
         if (stands_for_finer(k)) add_one(&counts->under_beyond);

@@ -33,9 +33,9 @@ struct CrossOpenings {
                     return Outcome::leaves;  // washed back into the inlet
                 break;
             case Kind::outlet:
-            case Kind::guard:
-            case Kind::band:
-            case Kind::carried:
+            case Kind::buffer:
+            case Kind::overlap:
+            case Kind::slave:
                 if (x > x_max + buffer) return Outcome::leaves;
                 break;
         }
@@ -73,8 +73,9 @@ struct ReturnFromMirrors {
     }
 };
 
-/// The map's number (LinkMaps): three bits an axis, beyond the low (1) or high (2) face, reflected there, or (with 4) moved
-/// by the domain's length. Calls `image(number)` for all that a particle at (x, y, z) has within `reach` of the faces.
+/// The map's number (LinkMaps): three bits an axis, beyond the low (1) or high (2) face, reflected there, or (with 4)
+/// moved by the domain's length. Calls `image(number)` for all that a particle at (x, y, z) has within `reach` of the
+/// faces.
 struct ImagesNear {
     static constexpr unsigned low = 1, high = 2, moved = 4;
     Faces faces;

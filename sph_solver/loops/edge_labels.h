@@ -7,7 +7,7 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
@@ -53,19 +53,19 @@ private:
 /// What a coarse particle is by its distance from the edge of a finer level's zone, see Refinement.
 struct LabelCoarse {
     Kind* kind = nullptr;
-    Children* children = nullptr;
-    double band = 0, again = 0, barren = 0;  ///< [m]
+    Daughters* daughters = nullptr;
+    double overlap = 0, again = 0, barren = 0;  ///< [m]
 
     void operator()(std::size_t i, double outside) const {
         const bool under = stands_for_finer(kind[i]);
         if (outside < 0 && (under || kind[i] == Kind::fluid))
-            kind[i] = outside > -band ? Kind::band : Kind::carried;
+            kind[i] = outside > -overlap ? Kind::overlap : Kind::slave;
         else if (outside >= 0 && under)
             kind[i] = Kind::fluid;
         if (outside > barren)
-            children[i] = Children::none;
-        else if (outside > again && children[i] == Children::all)
-            children[i] = Children::some;
+            daughters[i] = Daughters::none;
+        else if (outside > again && daughters[i] == Daughters::all)
+            daughters[i] = Daughters::some;
     }
 };
 
@@ -74,24 +74,24 @@ struct LabelFine {
     Kind* kind = nullptr;
     double gone_beyond = 0;  ///< [m]
     int* leaves = nullptr;   ///< whether it is water outside the zone
-    int* gone = nullptr;     ///< whether it is a guard that nobody needs
+    int* gone = nullptr;     ///< whether it is a buffer particle that nobody needs
 
     void operator()(std::size_t i, double outside) const {
-        if (kind[i] == Kind::guard && outside < 0) kind[i] = Kind::fluid;
+        if (kind[i] == Kind::buffer && outside < 0) kind[i] = Kind::fluid;
         leaves[i] = kind[i] == Kind::fluid && outside >= 0;
-        gone[i] = kind[i] == Kind::guard && outside > gone_beyond;
+        gone[i] = kind[i] == Kind::buffer && outside > gone_beyond;
     }
 };
 
-/// A coarse particle that is to have children.
+/// A coarse particle that is to have daughters.
 struct Parent {
     std::int64_t index;
     V3<double> place;  ///< [m]
     VelocityDensityRecord state;
-    Children before;
+    Daughters before;
 
-    static bool is(Kind kind, Children children, double outside, double within) {
-        return (kind == Kind::fluid || stands_for_finer(kind)) && children != Children::all && outside < within;
+    static bool is(Kind kind, Daughters daughters, double outside, double within) {
+        return (kind == Kind::fluid || stands_for_finer(kind)) && daughters != Daughters::all && outside < within;
     }
 };
 struct Child {

@@ -4,13 +4,13 @@
 
 #include "sph_solver/device/kernel_of.h"
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/sweeps/groups.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
-/// Force of a level's water on each dummy of a body [N] (per metre of width in two dimensions): the other side of the pair
-/// forces of the last second sweep (pressure_gradient.h),
+/// Force of a level's water on each dummy of a body [N] (per metre of width in two dimensions): the other side of the
+/// pair forces of the last second pair loop (pressure_gradient.h),
 ///
 ///   F_j = sum_i V_i V_j (p_i + p_j) F_ij (x_j - x_i)
 ///

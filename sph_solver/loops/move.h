@@ -23,18 +23,18 @@ struct MovedExtremes {
 /// The last act of a step, of each particle by itself: it is kicked for the time `dt`, and moves for `drift`; `drifted`
 /// of that it has moved before [s].
 struct Move {
-    /// A guard is shifted only where it has this share of the coarser level's kernel support. Where less of it is there
-    /// the guards end within reach, and shifting would spread them outwards, because it takes the end for a void: the
-    /// zone loses particles, and water whose kernel sums are a hundredth too small takes a hundredth more of pressure
-    /// gradient to carry itself, so it sinks (docs/decisions/031).
-    static constexpr double guard_shifted_from = 0.98;
+    /// A buffer particle is shifted only where it has this share of the coarser level's kernel support. Where less of
+    /// it is there the buffer particles end within reach, and shifting would spread them outwards, because it takes the
+    /// end for a void: the zone loses particles, and water whose kernel sums are a hundredth too small takes a
+    /// hundredth more of pressure gradient to carry itself, so it sinks (docs/decisions/031).
+    static constexpr double buffer_shifted_from = 0.98;
     static constexpr double held_at_wall_over_dp = 0.1;  ///< nearer than this a particle is not let towards a wall
 
     StateView p;
     const Kind* kind;
     const RateRecord* rate;
     const ShiftSupportRecord* shift_support;
-    const Trend* trend;  ///< null: there are no guards
+    const Trend* trend;  ///< null: there are no buffer particles
     double dt, drifted, drift;
     double stream_before, stream_after;  ///< velocity along x [m/s]
     double outlet_share;                 ///< of its change, which the water behind the outlet shares in [-]
@@ -64,7 +64,7 @@ struct Move {
         };
         switch (kind[i]) {
             case Kind::fluid:
-            case Kind::band: {
+            case Kind::overlap: {
                 const RateRecord& r = rate[i];
                 if (kind[i] == Kind::fluid) part.acceleration2 = larger(part.acceleration2, squared(r.ax, r.ay, r.az));
                 add(r.ax, r.ay, r.az);
@@ -74,14 +74,15 @@ struct Move {
             }
             case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
             case Kind::outlet: p.u[i] = static_cast<float>(u0 + outlet_share * (stream_after - stream_before)); break;
-            case Kind::guard: {
+            case Kind::buffer: {
                 const Trend& t = trend[i];
                 add(t.u, t.v, t.w);
-                if (static_cast<double>(shift_support[i].support) > guard_shifted_from * static_cast<double>(t.support))
+                if (static_cast<double>(shift_support[i].support) >
+                    buffer_shifted_from * static_cast<double>(t.support))
                     shift_towards_voids();
                 break;
             }
-            case Kind::carried: shift_towards_voids(); break;
+            case Kind::slave: shift_towards_voids(); break;
         }
         return shift;
     }

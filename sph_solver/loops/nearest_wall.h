@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "sph_solver/fields/field_list.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 

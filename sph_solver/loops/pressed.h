@@ -4,7 +4,7 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 

@@ -4,14 +4,14 @@
 #include "sph_solver/fields/field_list.h"
 #include "sph_solver/loops/whole.h"
 #include "sph_solver/neighbours/wide_place.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
-/// From places in metres to those that the sweeps see, see Quanta.
+/// From places in metres to those that the pair loops see, see Quanta.
 struct ToQuanta {
     double x, y, z;    ///< origin [m]
-    double per_metre;  ///< quanta
+    double per_metre;  ///< fixed-point units
     float mass, rho0;  ///< of a particle [kg], [kg/m3]
 
     WidePlace wide(double px, double py, double pz) const {
@@ -32,15 +32,15 @@ struct StateView {
 };
 inline StateView state_of(const FieldsView& f) { return {f.x, f.y, f.z, f.u, f.v, f.w, f.drho}; }
 
-/// What the sweeps read of the state.
+/// What the pair loops read of the state.
 struct UpdateRecords {
     StateView p;
-    ToQuanta to_quanta;
+    ToQuanta to_fixed_point;
     PlaceRecord* place;
     VelocityDensityRecord* motion;
 
     void operator()(std::size_t i) const {
-        place[i] = to_quanta(p.x[i], p.y[i], p.z[i], p.drho[i]);
+        place[i] = to_fixed_point(p.x[i], p.y[i], p.z[i], p.drho[i]);
         motion[i] = {p.u[i], p.v[i], p.w[i], p.drho[i]};
     }
 };

@@ -53,9 +53,9 @@ struct GoToStage {
             case Kind::outlet:
                 p.u[i] = static_cast<float>(static_cast<double>(from.u) + outlet_share * (stream - stream_before));
                 break;
-            case Kind::guard:
-            case Kind::band:
-            case Kind::carried: break;  // levels of particle size take steps of one evaluation
+            case Kind::buffer:
+            case Kind::overlap:
+            case Kind::slave: break;  // levels of particle size take steps of one evaluation
         }
     }
 };

@@ -5,20 +5,20 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
-/// Whether a particle is at the free surface: a guard where the coarser particles near it are.
+/// Whether a particle is at the free surface: a buffer particle where the coarser particles near it are.
 struct LacksSupport {
     const Kind* kind;
-    const Trend* trend;  ///< null: there are no guards
+    const Trend* trend;  ///< null: there are no buffer particles
     const ShiftSupportRecord* shift;
     double surface_support;  ///< of LevelSetup
 
     bool operator()(std::size_t i) const {
-        const bool guard = trend && kind[i] == Kind::guard;
-        return static_cast<double>(guard ? trend[i].support : shift[i].support) < surface_support;
+        const bool buffer = trend && kind[i] == Kind::buffer;
+        return static_cast<double>(buffer ? trend[i].support : shift[i].support) < surface_support;
     }
 };
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sph_solver/sweeps/interpolate.h"
+#include "sph_solver/pair_loops/interpolate.h"
 
 namespace tw {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
@@ -30,7 +30,7 @@ struct Corners {
     std::int32_t a, b, c;
 };
 
-/// How the surface of a body that gives way moves: on each triangle between its corners.
+/// How the surface of a body that deforms moves: on each triangle between its corners.
 struct SkinMotion {
     const Corners* corners;      ///< of each triangle; null: the body is rigid
     const V3<double>* noted;     ///< its points as they stood when the surface was noted last [m]

@@ -17,7 +17,7 @@ void watch_edges(const Simulation& simulation, RunRecord& record) {
     const std::vector<LevelLedger> sizes = level_ledgers(simulation);
     for (std::size_t k = 1; k < sizes.size(); ++k) {
         const LevelLedger &coarse = sizes[k - 1], &fine = sizes[k];
-        const double t = simulation.time(), dependent = double(fine.guards + coarse.band + coarse.carried);
+        const double t = simulation.time(), dependent = double(fine.buffers + coarse.overlap + coarse.slaves);
         note_worst(record, {mass_drift_line, "%", 100 * std::abs(fine.mass_drift), 0.5, t});
         note_worst(record, {orphans_line, "%", dependent > 0 ? 100 * double(fine.edge.orphans) / dependent : 0, 1, t});
     }

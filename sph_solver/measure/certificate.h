@@ -19,7 +19,7 @@ namespace tw {
 /// and, with several sizes of particles, the worst of all edges between them,
 ///
 ///   mass drift             |Refinement::mass_drift|                  0.5 % (a warning)
-///   orphans                of the guards and parents of an edge      1 % (a warning)
+///   orphans                of the buffer particles and parents of an edge      1 % (a warning)
 ///
 /// and, with elastic bodies,
 ///

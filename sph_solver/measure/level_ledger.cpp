@@ -10,8 +10,8 @@ std::vector<LevelLedger> level_ledgers(const Simulation& simulation) {
         LevelLedger& l = ledgers.emplace_back();
         l.spacing = level.setup().dp, l.dt = level.dt();
         const KindCounts kinds = level.kinds();
-        l.guards = kinds.guards, l.band = kinds.band, l.carried = kinds.carried;
-        l.active = level.count() - kinds.guards - kinds.under();
+        l.buffers = kinds.buffers, l.overlap = kinds.overlap, l.slaves = kinds.slaves;
+        l.active = level.count() - kinds.buffers - kinds.under();
         const Timers& t = level.timers();
         l.seconds = t.lists + t.gradient + t.walls + t.forces + t.effects + t.update;
         if (k > 0) {

@@ -98,7 +98,7 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
         hull_ = hull_at_start_;
     }
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
-        if (const Body& body = simulation.body(b); !body.is_hull() && !body.gives_way())
+        if (const Body& body = simulation.body(b); !body.is_hull() && !body.is_deformable())
             solids_.push_back({b, samples_of(body, s)});
     for (const PressureProbe& p : scene.sampling.pressure) pressure_points_.places.push_back(p.place);
     if (scene.tank_motion) tank_.emplace().begin(simulation);
@@ -265,8 +265,9 @@ void Recorder::record_bodies(const Simulation& simulation) {
     }
 }
 
-/// Of each solid that keeps its shape: how hard its wall pulls at the water, and where water leaves one that moves. In a
-/// tank without a hull also the integral of the surface pressure over all of them, which measures what `fx`, `fz` sum.
+/// Of each solid that keeps its shape: how hard its wall pulls at the water, and where water leaves one that moves. In
+/// a tank without a hull also the integral of the surface pressure over all of them, which measures what `fx`, `fz`
+/// sum.
 void Recorder::record_walls(Simulation& simulation, std::size_t row) {
     Table& t = record_.table("samples");
     const double h_over_dp = simulation.finest().h() / simulation.finest().setup().dp;
@@ -309,13 +310,13 @@ void Recorder::record_levels(const Simulation& simulation) {
         put("dt", l.dt, "s");
         put("active", double(l.active));
         if (k < edges) {
-            put("band", double(l.band));
-            put("carried", double(l.carried));
+            put("band", double(l.overlap));
+            put("carried", double(l.slaves));
         }
         if (k == 0) continue;
-        put("guards", double(l.guards));
-        put("births", double(l.edge.births));
-        put("deaths", double(l.edge.deaths));
+        put("guards", double(l.buffers));
+        put("births", double(l.edge.splits));
+        put("deaths", double(l.edge.merges));
         put("spray", double(l.edge.spray));
         put("orphans", double(l.edge.orphans));
         put("mass_drift", 100 * l.mass_drift, "%");

@@ -27,7 +27,7 @@ Box box_of(const Zone& zone) {
 }  // namespace
 
 Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double span) {
-    // fine particles that have just left their zone, and are no guards yet, are nearer to it than that
+    // fine particles that have just left their zone, and are no buffer particles yet, are nearer to it than that
     constexpr double spray_over_dp = 1;
     const auto levels = simulation.water();
     Raster all(spec);

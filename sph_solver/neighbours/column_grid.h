@@ -8,7 +8,7 @@ namespace tw {
 /// Upright columns of square cross-section over a box, cut into slabs where the box is taller than 4096 dp; what lies
 /// outside belongs to the nearest column. Within a column places are compared by their 32 bits, from its centre.
 struct Columns {
-    std::int64_t x0 = 0, y0 = 0, z0 = 0, width = 1, height = 1;  ///< [quanta]
+    std::int64_t x0 = 0, y0 = 0, z0 = 0, width = 1, height = 1;  ///< [fixed-point units]
     int nx = 1, ny = 1, nz = 1;
 
     int count() const { return nx * ny * nz; }
@@ -23,7 +23,8 @@ struct Columns {
     }
     std::int64_t middle_of_slab(int cz) const { return z0 + cz * height + height / 2; }
 
-    /// Distance between a column, or a row of columns, and an interval [quanta]; those at the rim reach to infinity.
+    /// Distance between a column, or a row of columns, and an interval [fixed-point units]; those at the rim reach to
+    /// infinity.
     double gap_x(int cx, std::int64_t lo, std::int64_t hi) const { return gap(cx, nx, lo - x0, hi - x0); }
     double gap_y(int cy, std::int64_t lo, std::int64_t hi) const { return gap(cy, ny, lo - y0, hi - y0); }
 

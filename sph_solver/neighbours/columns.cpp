@@ -9,7 +9,7 @@
 
 namespace tw {
 
-ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta, int lanes) {
+ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes) {
     constexpr double tallest = 4096;
     const double edge = dimensions == 3 ? std::cbrt(double(lanes)) * dp : std::sqrt(double(lanes)) * dp;
     const auto columns = [](double length, double each) { return std::max(1.0, std::ceil(length / each)); };
@@ -17,11 +17,11 @@ ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta&
                  z = columns(area.size().z(), tallest * dp);
     if (x * y * z > 1e9)
         throw InputError("the domain has more than 10^9 columns of particles; often a spacing far too small");
-    width = static_cast<std::int64_t>(edge / quanta.size);
-    height = static_cast<std::int64_t>(std::ceil(area.size().z() / z / quanta.size)) + 1;
-    x0 = quanta.wide(area.min.x(), 0);
-    y0 = dimensions == 3 ? quanta.wide(area.min.y(), 1) : -width / 2;
-    z0 = quanta.wide(area.min.z(), 2);
+    width = static_cast<std::int64_t>(edge / fixed_point.size);
+    height = static_cast<std::int64_t>(std::ceil(area.size().z() / z / fixed_point.size)) + 1;
+    x0 = fixed_point.wide(area.min.x(), 0);
+    y0 = dimensions == 3 ? fixed_point.wide(area.min.y(), 1) : -width / 2;
+    z0 = fixed_point.wide(area.min.z(), 2);
     nx = static_cast<int>(x), ny = static_cast<int>(y), nz = static_cast<int>(z);
 }
 
@@ -67,7 +67,7 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places
 
 namespace {
 
-/// A box round a group [quanta].
+/// A box round a group [fixed-point units].
 struct Bounds {
     std::int64_t lo[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, hi[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
 };
@@ -212,13 +212,14 @@ private:
 
 }  // namespace
 
-void NeighbourLists::build(const Passes& pass, const Quanta& quanta, const Source& targets, std::vector<Group>& groups,
-                           const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list) {
+void NeighbourLists::build(const Passes& pass, const Quanta& fixed_point, const Source& targets,
+                           std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
+                           ListRef Group::*list) {
     constexpr std::size_t per_chunk = 32;
     const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
     starts_.resize(chunks);
-    const Reaches in_quanta = reaches / quanta.size;
+    const Reaches in_fixed_point = reaches / fixed_point.size;
     struct Own {
         std::vector<NeighbourBlock> scratch;
         std::vector<Search> searches;  // made by threads that get something to do
@@ -228,7 +229,7 @@ void NeighbourLists::build(const Passes& pass, const Quanta& quanta, const Sourc
         auto& [scratch, searches, sizes] = own;
         scratch.clear();
         if (searches.empty())
-            for (const Source& s : sources) searches.emplace_back(in_quanta.far + in_quanta.stale, s);
+            for (const Source& s : sources) searches.emplace_back(in_fixed_point.far + in_fixed_point.stale, s);
         const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
         const std::vector<std::int32_t>& start = *targets.start;
         const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);
@@ -242,7 +243,7 @@ void NeighbourLists::build(const Passes& pass, const Quanta& quanta, const Sourc
             }
             const WidePlace centre = targets.grid->centre(column);
             const Bounds box = bounds(targets.places, groups[n], centre);
-            const GroupReach group = pass.reach_of(targets.places, groups[n], in_quanta);
+            const GroupReach group = pass.reach_of(targets.places, groups[n], in_fixed_point);
             for (Search& s : searches) s.collect(box, centre.z, group, pass, scratch);
             sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
         }

@@ -6,19 +6,20 @@
 
 #include "base/vec3.h"
 #include "sph_solver/neighbours/column_grid.h"
-#include "sph_solver/sweeps/passes.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/passes.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
-/// Positions as integers: quanta from `origin`, dp / 2^18 in the solver, so that differences are exact in every pair.
+/// Positions as integers: fixed-point units from `origin`, dp / 2^18 in the solver, so that differences are exact in
+/// every pair.
 ///
-/// The passes see 32 bits of them, which wrap every 2^32 quanta (16384 dp): the difference of two places is exact as
-/// long as they are within 8192 dp of each other, whatever the length of the domain. Who may be neighbours is known
-/// from the columns.
+/// The passes see 32 bits of them, which wrap every 2^32 fixed-point units (16384 dp): the difference of two places is
+/// exact as long as they are within 8192 dp of each other, whatever the length of the domain. Who may be neighbours is
+/// known from the columns.
 ///
-/// Levels of different spacing have the same origin and quanta that are powers of two of one another, so that a place
-/// goes from one level to the next by a shift.
+/// Levels of different spacing have the same origin and fixed-point units that are powers of two of one another, so
+/// that a place goes from one level to the next by a shift.
 struct Quanta {
     Vec3 origin = Vec3::Zero();
     double size = 1;       ///< [m]
@@ -40,7 +41,7 @@ struct ColumnGrid : Columns {
     ColumnGrid() = default;
     /// `area`: the box to cover [m]. Columns are as wide as a cube of `lanes` particles (in 2-D: a square). Throws
     /// InputError where there would be more than 10^9 of them.
-    ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& quanta, int lanes);
+    ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes);
     /// The same box in columns `factor` times as wide.
     ColumnGrid scaled(double factor) const;
 };
@@ -76,7 +77,7 @@ class NeighbourLists {
 public:
     /// For every group, as its `list`, source by source, the indices of all source places within `reaches` [m]. The
     /// groups are those of `targets`.
-    void build(const Passes& passes, const Quanta& quanta, const Source& targets, std::vector<Group>& groups,
+    void build(const Passes& passes, const Quanta& fixed_point, const Source& targets, std::vector<Group>& groups,
                const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
     /// Good until the lists are built anew or moved.
     Lists view() const { return {starts_.data()}; }

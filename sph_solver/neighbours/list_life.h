@@ -2,8 +2,8 @@
 
 namespace tw {
 
-/// How long neighbour lists hold: upper bounds of what has moved since they were made. What moves with the stream
-/// stays beside its neighbours, so lists among particles need only the motion relative to it. Both slacks are chosen for
+/// How long neighbour lists hold: upper bounds of what has moved since they were made. What moves with the stream stays
+/// beside its neighbours, so lists among particles need only the motion relative to it. Both slacks are chosen for
 /// speed, not derived.
 struct ListLife {
     static constexpr double skin_over_dp = 0.3;       ///< slack of the particle lists

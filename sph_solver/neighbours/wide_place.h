@@ -2,11 +2,11 @@
 #include <cstdint>
 
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
-/// A position in quanta from the origin, in full.
+/// A position in fixed-point units from the origin, in full.
 struct WidePlace {
     std::int64_t x, y, z;
     /// As the passes see it: modulo 2^32.

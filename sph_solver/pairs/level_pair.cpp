@@ -3,7 +3,7 @@
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/equations/level_pair.h"
 #include "sph_solver/levels/level.h"
-#include "sph_solver/sweeps/level_pair_views.h"
+#include "sph_solver/pair_loops/level_pair_views.h"
 
 namespace tw {
 
@@ -31,7 +31,7 @@ void LevelPair::meet(double t) {
         own.pairs(MeetOtherData{.water = own.water,
                                 .other = other.water,
                                 .list = side.near.lists,
-                                .inv_W_dp = side.level->first_sweep_data().inv_W_dp,
+                                .inv_W_dp = side.level->first_pair_loop_data().inv_W_dp,
                                 .sums = side.sums.data()},
                   side.near.groups);
     };
@@ -41,7 +41,8 @@ void LevelPair::meet(double t) {
 
 void LevelPair::press(double t) {
     const StepView a = a_.level->step_view(t), b = b_.level->step_view(t);
-    const float of_a = a_.level->second_sweep_data(t).viscosity, of_b = b_.level->second_sweep_data(t).viscosity;
+    const float of_a = a_.level->second_pair_loop_data(t).viscosity,
+                of_b = b_.level->second_pair_loop_data(t).viscosity;
     const auto press_on = [&](const StepView& own, const StepView& other, const Side& side) {
         own.pairs(PressOtherData{.water = own.water,
                                  .other = other.water,
@@ -49,7 +50,7 @@ void LevelPair::press(double t) {
                                  .shift = own.shift,
                                  .rate = own.rate,
                                  .viscosity = harmonic_mean(of_a, of_b),
-                                 .tension_control_from = side.level->second_sweep_data(t).tension_control_from},
+                                 .tension_control_from = side.level->second_pair_loop_data(t).tension_control_from},
                   side.near.groups);
     };
     press_on(a, b, a_);

@@ -32,12 +32,12 @@ public:
     bool lists_outlived() const;
     /// Anew after both levels have been sorted.
     void find_neighbours();
-    /// Before the first sweeps, as of the time t: the sums of each level over the other.
+    /// Before the first pair loops, as of the time t: the sums of each level over the other.
     void meet(double t);
-    /// After the second sweeps: adds to the rates of both.
+    /// After the second pair loops: adds to the rates of both.
     void press(double t);
-    /// Over the other level, one entry for each particle of `level`, where its steps are made; null when the pair does not
-    /// hold it.
+    /// Over the other level, one entry for each particle of `level`, where its steps are made; null when the pair does
+    /// not hold it.
     const OtherSums* sums_for(const Level& level) const;
     std::size_t bytes() const;
 

@@ -11,8 +11,8 @@
 
 namespace tw {
 
-/// The processes ("ranks") that make one run together. All make the same calls in the same order. A process by itself is a
-/// Comm of one, whose calls do nothing; a build without MPI knows no other.
+/// The processes ("ranks") that make one run together. All make the same calls in the same order. A process by itself
+/// is a Comm of one, whose calls do nothing; a build without MPI knows no other.
 ///
 /// What is combined are whole numbers, maxima and sums of base/exact_sum.h: the same in any order, so the same for any
 /// number of ranks.
@@ -136,8 +136,8 @@ public:
         });
     }
 
-    /// The program's end, with its exit status: waits for the others as long as it takes them to get there. Where they do
-    /// not come, because this rank alone has failed, all are ended and the rank's `failure` is shown.
+    /// The program's end, with its exit status: waits for the others as long as it takes them to get there. Where they
+    /// do not come, because this rank alone has failed, all are ended and the rank's `failure` is shown.
     void end(int status, const std::string& failure) const;
 
     /// What this rank has sent since the start.

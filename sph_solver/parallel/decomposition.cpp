@@ -69,7 +69,7 @@ private:
     std::vector<std::int32_t>& owner_;
 };
 
-/// An interval of places [quanta].
+/// An interval of places [fixed-point units].
 struct Interval {
     std::int64_t low, high;
 };

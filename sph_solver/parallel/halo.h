@@ -29,7 +29,7 @@ public:
 
     /// Tells `bytes` of each thing: `pack(i, to)` on the owner, `unpack(i, from)` on who holds a copy.
     template <class Pack, class Unpack>
-    void tell(std::size_t bytes, const Pack& pack, const Unpack& unpack) const {
+    void exchange(std::size_t bytes, const Pack& pack, const Unpack& unpack) const {
         if (partners_.empty()) return;
         std::vector<Comm::Parcel> to, from;
         for (const Partner& p : partners_) {
@@ -46,13 +46,14 @@ public:
     }
     /// Tells the elements of arrays.
     template <class... T>
-    void tell(T*... values) const {
+    void exchange(T*... values) const {
         static_assert((std::is_trivially_copyable_v<T> && ...));
-        tell((sizeof(T) + ...),
-             [&](std::size_t i, std::byte* to) { ((std::memcpy(to, values + i, sizeof(T)), to += sizeof(T)), ...); },
-             [&](std::size_t i, const std::byte* from) {
-                 ((std::memcpy(values + i, from, sizeof(T)), from += sizeof(T)), ...);
-             });
+        exchange(
+            (sizeof(T) + ...),
+            [&](std::size_t i, std::byte* to) { ((std::memcpy(to, values + i, sizeof(T)), to += sizeof(T)), ...); },
+            [&](std::size_t i, const std::byte* from) {
+                ((std::memcpy(values + i, from, sizeof(T)), from += sizeof(T)), ...);
+            });
     }
     std::size_t received() const;  ///< things that are copies
 

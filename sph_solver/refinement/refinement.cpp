@@ -16,7 +16,7 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* 
       zone_(std::move(zone)),
       dp_(fine.setup().dp),
       excess_(coarse.kernel(), coarse.setup().dp, coarse.dimensions()) {
-    coarse.begin_over(zone_, guard_over_dp * dp_);
+    coarse.begin_over(zone_, buffer_over_dp * dp_);
     fine.begin_within(zone_);
     label_coarse();
     surplus_at_start_ = surplus();
@@ -49,9 +49,10 @@ AskEdge Refinement::edge(std::initializer_list<double> limits) const {
 }
 
 void Refinement::label_coarse() {
-    const LabelCoarse label{.band = band_over_dp * dp_, .again = again_over_dp * dp_, .barren = barren_over_dp * dp_};
+    const LabelCoarse label{
+        .overlap = overlap_over_dp * dp_, .again = again_over_dp * dp_, .barren = barren_over_dp * dp_};
     const AskEdge ask =
-        edge({-band_over_dp * dp_, 0.0, guard_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_});
+        edge({-overlap_over_dp * dp_, 0.0, buffer_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_});
     coarse_.edges().label(ask, label, zone_);
 }
 
@@ -84,7 +85,7 @@ void Refinement::relabel() {
     }
     ledger_.spray = ranks.sum(spray.count - static_cast<std::int64_t>(fallen.size()));
     remove_gone(fallen);
-    give_birth();
+    split_parents();
 }
 
 std::vector<char> Refinement::covers(const std::vector<Located>& who) const {
@@ -92,7 +93,7 @@ std::vector<char> Refinement::covers(const std::vector<Located>& who) const {
     for (const Located& one : who) at.places.emplace_back(one.place.x, one.place.y, one.place.z);
     coarse_.interpolate(at);
     std::vector<char> yes;
-    for (const float support : at.support) yes.push_back(support >= BecomeGuard::covered);
+    for (const float support : at.support) yes.push_back(support >= BecomeBuffer::covered);
     return yes;
 }
 
@@ -105,10 +106,10 @@ void Refinement::prolong(double moved, double compressed) {
                                .compressed = compressed,
                                .fall = {fall.x(), fall.y(), fall.z()}};
     const Asking asking{.apart = fine_apart, .without = &excess_};
-    const Followed guards = fine_.edges().follow_coarser(coarse_.edges(), asking, follow);
-    ledger_.orphans = guards.orphans;
-    // that of the coarse level: of those that are to have children
-    in_a_step_ = moved * std::max(coarse_.extremes().speed, std::sqrt(guards.fastest2));
+    const Followed buffers = fine_.edges().follow_coarser(coarse_.edges(), asking, follow);
+    ledger_.orphans = buffers.orphans;
+    // that of the coarse level: of those that are to have daughters
+    in_a_step_ = moved * std::max(coarse_.extremes().speed, std::sqrt(buffers.fastest2));
     gone_since_ += in_a_step_;
 }
 
@@ -117,7 +118,7 @@ void Refinement::restrict_over(double moved, double density_before) {
     const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
     const FollowFiner follow{
         .excess = excess_, .row = coarse_.density_of_row(), .fall = {fall.x(), fall.y(), fall.z()}};
-    const Asking asking{.of = Giving::not_guards,
+    const Asking asking{.of = Giving::not_buffers,
                         .apart = coarse_apart,
                         .density_before = density_before,
                         .want_compression = true,
@@ -131,7 +132,7 @@ double Refinement::mass_under(const KindCounts& coarse) const {
 }
 
 double Refinement::surplus(const KindCounts& coarse, const KindCounts& fine) const {
-    const std::int64_t water = fine_.count() - fine.guards - fine.water_beyond - ledger_.spray;
+    const std::int64_t water = fine_.count() - fine.buffers - fine.water_beyond - ledger_.spray;
     return fine_.mass() * double(water) - mass_under(coarse);
 }
 

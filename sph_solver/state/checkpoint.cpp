@@ -59,7 +59,7 @@ Checkpoint checkpoint_of(const Simulation& simulation, double mass_at_start) {
         saved.particles.copy_saved_of(particles.of(k));
     }
     for (const Refinement& refinement : simulation.refinements())
-        c.edges.push_back({refinement.ledger().births, refinement.ledger().deaths});
+        c.edges.push_back({refinement.ledger().splits, refinement.ledger().merges});
     if (const ControlVolume* control = simulation.control_volume()) c.control = control->state();
     for (const auto& body : simulation.bodies())
         if (!body->fixed()) c.bodies.push_back(body->state());
@@ -81,7 +81,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& run_
         for (std::size_t k = 0; k < checkpoint.levels.size(); ++k)
             write_level(h5::create_group(levels, std::to_string(k).c_str()), checkpoint.levels[k]);
         for (std::size_t k = 0; k < checkpoint.edges.size(); ++k) {
-            const long long counts[] = {checkpoint.edges[k].births, checkpoint.edges[k].deaths};
+            const long long counts[] = {checkpoint.edges[k].splits, checkpoint.edges[k].merges};
             h5::write_attribute(levels, edge_name(k).c_str(), std::span<const long long>(counts));
         }
         if (checkpoint.control) write_control_volume(h5::create_group(file, "control_volume"), *checkpoint.control);
@@ -118,7 +118,7 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
     if (checkpoint.edges.size() != simulation.refinements().size())
         throw InputError("the checkpoint's water has another number of particle sizes; start anew with --overwrite");
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)
-        simulation.refinements()[k].set_ledger({checkpoint.edges[k].births, checkpoint.edges[k].deaths});
+        simulation.refinements()[k].set_ledger({checkpoint.edges[k].splits, checkpoint.edges[k].merges});
     std::vector<Body*> moving;
     for (const auto& body : simulation.bodies())
         if (!body->fixed()) moving.push_back(body.get());

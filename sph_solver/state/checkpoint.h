@@ -11,7 +11,7 @@ namespace tw {
 /// Everything a run needs to continue bitwise the same, as one HDF5 file with a group for each owner:
 ///
 ///   /simulation        run hash, instruction set, mass at the start
-///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level; births and deaths at their edges
+///   /levels/0, 1, ...  time, step, ledger, extremes and the particles of each level; splits and merges at their edges
 ///   /control_volume    its running sums, where there is one
 ///   /bodies/0, 1, ...  how the bodies that move stand and move, in their order, see Body::state
 struct Checkpoint {
@@ -24,7 +24,7 @@ struct Checkpoint {
     };
     std::vector<OfLevel> levels;
     struct Edge {
-        std::int64_t births = 0, deaths = 0;
+        std::int64_t splits = 0, merges = 0;
     };
     std::vector<Edge> edges;  ///< between levels of particle size, coarsest first
     std::optional<ControlVolume::State> control;

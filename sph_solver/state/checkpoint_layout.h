@@ -12,7 +12,7 @@ namespace tw::checkpoint_layout {
 
 inline constexpr double version = 3;  // 2: without the checksum line
 inline constexpr const char* bodies_group = "bodies";
-/// Births and deaths at the edge between levels k and k + 1.
+/// Splits and merges at the edge between levels k and k + 1.
 inline std::string edge_name(std::size_t k) { return fmt::format("edge_{}", k); }
 
 inline hid_t type_of(const AnyField& field) {

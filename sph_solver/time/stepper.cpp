@@ -9,99 +9,100 @@
 
 namespace tw {
 
-void Tier::add(Level& level) {
+void RefinementLevel::add(Level& level) {
     for (Level* other : levels) pairs.emplace_back(*other, level);
     levels.push_back(&level);
 }
 
-bool Tier::lists_outlived() const {
+bool RefinementLevel::lists_outlived() const {
     return std::ranges::any_of(levels, [](const Level* level) { return level->lists_outlived(); }) ||
            std::ranges::any_of(pairs, [](const LevelPair& pair) { return pair.lists_outlived(); });
 }
 
-bool Tier::lists_due() const {
+bool RefinementLevel::lists_due() const {
     return std::ranges::any_of(levels, [](const Level* level) { return level->lists_due(); });
 }
 
-void Tier::make_lists_due() const {
+void RefinementLevel::make_lists_due() const {
     for (Level* level : levels) level->make_lists_due();
 }
 
-Stepper::Stepper(std::vector<Tier> tiers, const Bodies& bodies, const TimeOptions& options,
+Stepper::Stepper(std::vector<RefinementLevel> refinement_levels, const Bodies& bodies, const TimeOptions& options,
                  const Vec3& moment_reference)
-    : tiers_(std::move(tiers)),
+    : refinement_levels_(std::move(refinement_levels)),
       bodies_(bodies),
       schedule_(options.scheme),
       cfl_(options.cfl),
       moment_reference_(moment_reference),
       loads_(bodies.size()) {
-    for (const auto& body : bodies) rehearsals_ = std::max(rehearsals_, body->rehearsals());
+    for (const auto& body : bodies) sub_iterations_ = std::max(sub_iterations_, body->sub_iterations());
 }
 
 // --- a step ---------------------------------------------------------------------------------------------------------
 
 void Stepper::advance(std::size_t k, double dt) {
-    Tier& tier = tiers_[k];
-    const bool finest = tier.edge == nullptr;
-    const double before = tier.water().dt();
-    if (tier.lists_outlived()) tier.make_lists_due();
+    RefinementLevel& refinement_level = refinement_levels_[k];
+    const bool finest = refinement_level.edge == nullptr;
+    const double before = refinement_level.water().dt();
+    if (refinement_level.lists_outlived()) refinement_level.make_lists_due();
 
     const auto [after, compress, drift] = schedule_.evaluation(before);
-    const double t = tier.water().time() + after;
+    const double t = refinement_level.water().time() + after;
     if (schedule_.stages().empty()) {
-        evaluate(tier, t, compress, drift);
-        set_step(tier, dt > 0 ? dt : longest_step());
+        evaluate(refinement_level, t, compress, drift);
+        set_step(refinement_level, dt > 0 ? dt : longest_step());
     } else {
-        evaluate_stages(tier, dt);
+        evaluate_stages(refinement_level, dt);
     }
 
-    const Schedule::Move move = schedule_.move(before, tier.water().dt());
+    const Schedule::Move move = schedule_.move(before, refinement_level.water().dt());
     if (finest) {
-        rehearse_bodies(tier, move, t);
-        move_bodies(tier, move);
+        sub_iterate_bodies(refinement_level, move, t);
+        move_bodies(refinement_level, move);
     }
-    std::vector<Level::Struck> struck;
-    for (Level* level : tier.levels) struck.push_back(level->advance(move, moment_reference_));
+    std::vector<Level::Impulses> impulses;
+    for (Level* level : refinement_level.levels) impulses.push_back(level->advance(move, moment_reference_));
     add_loads(k, move.kick);
     if (finest) {
-        for (const Level::Struck& by_level : struck) strike_bodies(by_level);
+        for (const Level::Impulses& by_level : impulses) give_impulses(by_level);
         return;
     }
 
     // The fine level's last evaluation was half its step before its present places, the coarse level's half its step.
-    const double fine_before = tiers_[k + 1].water().dt(), first = move.kick / 2, second = tier.water().dt() / 2;
-    tier.edge->prolong(move.kick, (before + fine_before) / 2);
+    const double fine_before = refinement_levels_[k + 1].water().dt(), first = move.kick / 2,
+                 second = refinement_level.water().dt() / 2;
+    refinement_level.edge->prolong(move.kick, (before + fine_before) / 2);
     advance(k + 1, first);
     advance(k + 1, second);
-    tier.edge->restrict_over(move.kick, fine_before / 2 + first - before / 2);
+    refinement_level.edge->restrict_over(move.kick, fine_before / 2 + first - before / 2);
 }
 
-void Stepper::evaluate(Tier& tier, double t, double compress, double drift) {
-    find_neighbours(tier, drift);
-    for (LevelPair& pair : tier.pairs) pair.meet(t);
-    for (Level* level : tier.levels) {
+void Stepper::evaluate(RefinementLevel& refinement_level, double t, double compress, double drift) {
+    find_neighbours(refinement_level, drift);
+    for (LevelPair& pair : refinement_level.pairs) pair.meet(t);
+    for (Level* level : refinement_level.levels) {
         const OtherSums* other = nullptr;
-        for (const LevelPair& pair : tier.pairs)
+        for (const LevelPair& pair : refinement_level.pairs)
             if (const OtherSums* sums = pair.sums_for(*level)) other = sums;
-        level->first_sweep(t, compress, drift, other);
+        level->first_pair_loop(t, compress, drift, other);
     }
-    if (!tier.edge)
+    if (!refinement_level.edge)
         for (const auto& body : bodies_) body->look_ahead(drift);
-    press(tier, t);
+    press(refinement_level, t);
 }
 
-void Stepper::press(Tier& tier, double t) {
-    for (Level* level : tier.levels) level->second_sweep(t);
-    for (LevelPair& pair : tier.pairs) pair.press(t);
-    for (Level* level : tier.levels) level->tell_rates();
-    for (Level* level : tier.levels) level->gather_loads(moment_reference_);
+void Stepper::press(RefinementLevel& refinement_level, double t) {
+    for (Level* level : refinement_level.levels) level->second_pair_loop(t);
+    for (LevelPair& pair : refinement_level.pairs) pair.press(t);
+    for (Level* level : refinement_level.levels) level->exchange_rates();
+    for (Level* level : refinement_level.levels) level->gather_loads(moment_reference_);
 }
 
-void Stepper::evaluate_stages(Tier& tier, double dt) {
+void Stepper::evaluate_stages(RefinementLevel& refinement_level, double dt) {
     const bool freeze = schedule_.freezes_diffusion();
-    const double start = tier.water().time();
-    if (tier.lists_due()) find_neighbours(tier, tier.water().dt());
-    for (Level* level : tier.levels) level->begin_stages(freeze);
+    const double start = refinement_level.water().time();
+    if (refinement_level.lists_due()) find_neighbours(refinement_level, refinement_level.water().dt());
+    for (Level* level : refinement_level.levels) level->begin_stages(freeze);
     std::vector<std::vector<double>> bodies_at_start;
     for (const auto& body : bodies_) bodies_at_start.push_back(body->state());
     const auto place_bodies = [&](double since) {
@@ -112,46 +113,46 @@ void Stepper::evaluate_stages(Tier& tier, double dt) {
     };
     for (const Stage& stage : schedule_.stages()) {
         const bool first = &stage == &schedule_.stages().front();
-        const double since = first ? 0 : stage.c * tier.water().dt();
+        const double since = first ? 0 : stage.c * refinement_level.water().dt();
         if (!first)
-            for (Level* level : tier.levels) level->go_to_stage(since);
+            for (Level* level : refinement_level.levels) level->go_to_stage(since);
         place_bodies(since);
-        evaluate(tier, start + since, 0, 0);
-        if (first) set_step(tier, dt > 0 ? dt : longest_step());
-        for (Level* level : tier.levels) level->add_stage(stage.weight, first, freeze);
+        evaluate(refinement_level, start + since, 0, 0);
+        if (first) set_step(refinement_level, dt > 0 ? dt : longest_step());
+        for (Level* level : refinement_level.levels) level->add_stage(stage.weight, first, freeze);
     }
-    for (Level* level : tier.levels) level->end_stages();
+    for (Level* level : refinement_level.levels) level->end_stages();
     place_bodies(0);
 }
 
-/// Records of who is where now and, where lists are due, those lists, good for a drift of `drift` [s]. And who is what at
-/// the edge of the next finer tier.
-void Stepper::find_neighbours(Tier& tier, double drift) {
-    const bool due = tier.lists_due();
+/// Records of who is where now and, where lists are due, those lists, good for a drift of `drift` [s]. And who is what
+/// at the edge of the next finer refinement level.
+void Stepper::find_neighbours(RefinementLevel& refinement_level, double drift) {
+    const bool due = refinement_level.lists_due();
     if (due) {
-        tier.make_lists_due();
-        if (!tier.edge)
+        refinement_level.make_lists_due();
+        if (!refinement_level.edge)
             for (const auto& body : bodies_) body->note_surface();
     }
-    for (Level* level : tier.levels) level->refresh(drift);
-    if (tier.edge) tier.edge->relabel();
+    for (Level* level : refinement_level.levels) level->refresh(drift);
+    if (refinement_level.edge) refinement_level.edge->relabel();
     if (!due) return;
-    for (LevelPair& pair : tier.pairs) pair.find_neighbours();
+    for (LevelPair& pair : refinement_level.pairs) pair.find_neighbours();
 }
 
 double Stepper::longest_step() const {
-    const int finest = static_cast<int>(tiers_.size()) - 1;
+    const int finest = static_cast<int>(refinement_levels_.size()) - 1;
     double dt = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < tiers_.size(); ++k)
-        for (const Level* level : tiers_[k].levels)
+    for (std::size_t k = 0; k < refinement_levels_.size(); ++k)
+        for (const Level* level : refinement_levels_[k].levels)
             dt = std::min(dt, std::ldexp(stable_step(*level, cfl_), static_cast<int>(k)));
     for (const auto& body : bodies_) dt = std::min(dt, std::ldexp(body->stable_step(), finest));
     for (const auto& body : bodies_) dt = std::ldexp(body->step_within(std::ldexp(dt, -finest)), finest);
     return dt;
 }
 
-void Stepper::set_step(Tier& tier, double dt) const {
-    for (Level* level : tier.levels) level->set_step(dt);
+void Stepper::set_step(RefinementLevel& refinement_level, double dt) const {
+    for (Level* level : refinement_level.levels) level->set_step(dt);
 }
 
 // --- bodies ---------------------------------------------------------------------------------------------------------
@@ -171,12 +172,12 @@ private:
 };
 
 /// By all materials, each with its share of the support.
-PointSamples felt(const Tier& tier, std::vector<Vec3> places) {
+PointSamples felt(const RefinementLevel& refinement_level, std::vector<Vec3> places) {
     PointSamples all{std::move(places), false, {}, {}, {}};
-    tier.water().sample(all);
-    for (std::size_t other = 1; other < tier.levels.size(); ++other) {
+    refinement_level.water().sample(all);
+    for (std::size_t other = 1; other < refinement_level.levels.size(); ++other) {
         PointSamples of{all.places, false, {}, {}, {}};
-        tier.levels[other]->sample(of);
+        refinement_level.levels[other]->sample(of);
         for (std::size_t k = 0; k < all.p.size(); ++k) {
             const float both = all.support[k] + of.support[k];
             if (both > 0) all.p[k] = (all.support[k] * all.p[k] + of.support[k] * of.p[k]) / both;
@@ -187,69 +188,75 @@ PointSamples felt(const Tier& tier, std::vector<Vec3> places) {
 }
 }  // namespace
 
-void Stepper::hand_over(const Tier& tier, Body& body, std::size_t b) {
-    Load load = tier.water().walls().loads()[b];
-    for (std::size_t other = 1; other < tier.levels.size(); ++other) load += tier.levels[other]->walls().loads()[b];
+void Stepper::hand_over(const RefinementLevel& refinement_level, Body& body, std::size_t b) {
+    Load load = refinement_level.water().walls().loads()[b];
+    for (std::size_t other = 1; other < refinement_level.levels.size(); ++other)
+        load += refinement_level.levels[other]->walls().loads()[b];
     body.take(load);
-    if (std::vector<Vec3> places = body.feels_at(); !places.empty()) body.take(felt(tier, std::move(places)));
+    if (std::vector<Vec3> places = body.feels_at(); !places.empty())
+        body.take(felt(refinement_level, std::move(places)));
     if (!body.takes_forces_of_dummies()) return;
-    for (Level* level : tier.levels) {
+    for (Level* level : refinement_level.levels) {
         body.take(*level->walls().attached(b), level->forces_on_dummies(b));
         for (const WallPush& push : level->walls().pushes())
             if (push.body == b) body.take(push);
     }
 }
 
-void Stepper::rehearse_bodies(Tier& tier, const Schedule::Move& move, double t) {
-    for (int k = 0; k < rehearsals_; ++k) {
+void Stepper::sub_iterate_bodies(RefinementLevel& refinement_level, const Schedule::Move& move, double t) {
+    for (int k = 0; k < sub_iterations_; ++k) {
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
-            if (bodies_[b]->rehearsals() == 0) continue;
+            if (bodies_[b]->sub_iterations() == 0) continue;
             const ProcessorTime spent(structure_seconds_);
-            hand_over(tier, *bodies_[b], b);
-            bodies_[b]->rehearse({move.kick, move.drifted, move.drift});
+            hand_over(refinement_level, *bodies_[b], b);
+            bodies_[b]->sub_iterate({move.kick, move.drifted, move.drift});
         }
-        press(tier, t);
+        press(refinement_level, t);
     }
 }
 
-void Stepper::move_bodies(const Tier& tier, const Schedule::Move& move) {
+void Stepper::move_bodies(const RefinementLevel& refinement_level, const Schedule::Move& move) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ProcessorTime spent(structure_seconds_);
-        hand_over(tier, *bodies_[b], b);
+        hand_over(refinement_level, *bodies_[b], b);
         bodies_[b]->move({move.kick, move.drifted, move.drift});
     }
 }
 
-void Stepper::strike_bodies(const Level::Struck& struck) {
-    for (const WallStrike& strike : struck.places) bodies_[strike.body]->strike(strike);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b]->strike(struck.bodies[b]);
+void Stepper::give_impulses(const Level::Impulses& impulses) {
+    for (const WallImpulse& strike : impulses.places) bodies_[strike.body]->take_impulse(strike);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b]->take_impulse(impulses.bodies[b]);
 }
 
 // --- loads ----------------------------------------------------------------------------------------------------------
 
-void Stepper::begin_loads() { of_tiers_.assign(tiers_.size(), {std::vector<Load>(loads_.size()), 0}); }
-
-void Stepper::add_loads(std::size_t k, double kick) {
-    for (std::size_t b = 0; b < loads_.size(); ++b) of_tiers_[k].sum[b] += kick * tiers_[k].water().walls().loads()[b];
-    of_tiers_[k].over += kick;
+void Stepper::begin_loads() {
+    of_refinement_levels_.assign(refinement_levels_.size(), {std::vector<Load>(loads_.size()), 0});
 }
 
-/// A single tier has made one step, with loads that need no mean.
+void Stepper::add_loads(std::size_t k, double kick) {
+    for (std::size_t b = 0; b < loads_.size(); ++b)
+        of_refinement_levels_[k].sum[b] += kick * refinement_levels_[k].water().walls().loads()[b];
+    of_refinement_levels_[k].over += kick;
+}
+
+/// A single refinement level has made one step, with loads that need no mean.
 void Stepper::end_loads() {
-    if (tiers_.size() == 1) {
-        loads_ = tiers_.front().water().walls().loads();
+    if (refinement_levels_.size() == 1) {
+        loads_ = refinement_levels_.front().water().walls().loads();
         return;
     }
     for (std::size_t b = 0; b < loads_.size(); ++b) {
         loads_[b] = {};
-        for (const TierLoads& tier : of_tiers_) loads_[b] += (1 / tier.over) * tier.sum[b];
+        for (const TierLoads& refinement_level : of_refinement_levels_)
+            loads_[b] += (1 / refinement_level.over) * refinement_level.sum[b];
     }
 }
 
 double Stepper::bytes() const {
     double sum = 0;
-    for (const Tier& tier : tiers_)
-        for (const LevelPair& pair : tier.pairs) sum += double(pair.bytes());
+    for (const RefinementLevel& refinement_level : refinement_levels_)
+        for (const LevelPair& pair : refinement_level.pairs) sum += double(pair.bytes());
     return sum;
 }
 

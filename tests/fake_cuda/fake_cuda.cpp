@@ -23,9 +23,9 @@
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/force_on_dummies.h"
-#include "sph_solver/sweeps/interpolate.h"
-#include "sph_solver/sweeps/level_pair_views.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/interpolate.h"
+#include "sph_solver/pair_loops/level_pair_views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw::in_fake_cuda {
 template <class View>
@@ -92,11 +92,11 @@ const T& argument(void** arguments, int k) {
 int add_one(int* counter) { return (*counter)++; }
 
 template <class View>
-void run_sweep(void** a) {
+void run_pair_loop(void** a) {
     in_fake_cuda::pass(argument<View>(a, 0), argument<const Group*>(a, 1), argument<int>(a, 2));
 }
 template <class View>
-void run_sweep_of_chosen(void** a) {
+void run_pair_loop_of_chosen(void** a) {
     in_fake_cuda::pass(argument<View>(a, 0), argument<const Group*>(a, 1), *argument<const int*>(a, 2));
 }
 template <class Task>
@@ -180,23 +180,24 @@ void run_largest(void** a) {
 using EmulatedKernel = void (*)(void** arguments);
 const std::map<std::string, EmulatedKernel>& kernels() {
     static const std::map<std::string, EmulatedKernel> all{
-#define sweep(name, View) {#name, run_sweep<View>},
+#define pair_loop(name, View) {#name, run_pair_loop<View>},
 #define task(name, Task) {#name, run_task<Task>},
 #define counting(name, Task) {#name, run_counting<Task>},
 #define largest(name, Task) {#name, run_largest<Task>},
 #define choose(name, Condition) {#name, run_choice<Condition>},
-#define sweep_of_chosen(name, View) {#name, run_sweep_of_chosen<View>},
-        TW_DEVICE_SWEEPS(sweep) TW_EFFECT_SWEEPS(sweep) TW_PAIR_SWEEPS(sweep) TW_DEVICE_TASKS(task)
-            TW_DEVICE_COUNTING_TASKS(counting) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task) TW_STAGE_TASKS(task)
-                TW_BODY_TASKS(task) TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest) TW_DEVICE_CHOICES(choose)
-                    TW_EFFECT_CHOICES(choose) TW_EFFECT_SWEEPS_OF_CHOSEN(sweep_of_chosen)
-#undef sweep
+#define pair_loop_of_chosen(name, View) {#name, run_pair_loop_of_chosen<View>},
+        TW_DEVICE_PAIR_LOOPS(pair_loop) TW_EFFECT_PAIR_LOOPS(pair_loop) TW_PAIR_PAIR_LOOPS(pair_loop)
+            TW_DEVICE_TASKS(task) TW_DEVICE_COUNTING_TASKS(counting) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task)
+                TW_STAGE_TASKS(task) TW_BODY_TASKS(task) TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest)
+                    TW_DEVICE_CHOICES(choose) TW_EFFECT_CHOICES(choose)
+                        TW_EFFECT_PAIR_LOOPS_OF_CHOSEN(pair_loop_of_chosen)
+#undef pair_loop
 #undef task
 #undef counting
 #undef largest
 #undef choose
-#undef sweep_of_chosen
-                        {"tw_move", move},
+#undef pair_loop_of_chosen
+                            {"tw_move", move},
         {"tw_search", search},
         {"tw_scan_blocks", scan_blocks},
         {"tw_scan_sums", scan_sums},
@@ -230,7 +231,7 @@ DRIVER cuDevicePrimaryCtxRelease_v2(int) { return success; }
 DRIVER cuCtxSetCurrent(void*) { return success; }
 DRIVER cuCtxSynchronize() { return is_lost() ? lost : success; }
 DRIVER cuModuleLoadDataEx(void** module, const void* image, unsigned, int*, void**) {
-    if (std::strstr(static_cast<const char*>(image), ".visible .entry tw_first_sweep") == nullptr) return invalid;
+    if (std::strstr(static_cast<const char*>(image), ".visible .entry tw_first_pair_loop") == nullptr) return invalid;
     launches = 0;
     return *module = &launches, success;
 }

@@ -190,7 +190,7 @@ void ElasticBody::take(const WallPush& by) {
         push(skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])], shares[k] * by.force);
 }
 
-void ElasticBody::strike(const WallStrike& by) {
+void ElasticBody::take_impulse(const WallImpulse& by) {
     const Vec3 shares = barycentric(by.triangle, at_start(by.place));
     const auto& corners = skin_.triangles[static_cast<std::size_t>(by.triangle)];
     for (int k = 0; k < 3; ++k) {
@@ -239,7 +239,7 @@ VectorXd ElasticBody::load_of(const VectorXd& water, const BodyStep& step) const
     return load;
 }
 
-void ElasticBody::rehearse(const BodyStep& step) {
+void ElasticBody::sub_iterate(const BodyStep& step) {
     const std::vector<double> now = structure_->state();
     structure_->step(step.kick, step.drift, load_of(force_.value() + impulses_.value() / step.kick, step));
     relax((structure_->velocity() - v_) / step.kick);

@@ -21,16 +21,17 @@ namespace tw {
 ///   f_n += N_n F                                                       what a force F on the point does to the nodes
 ///
 /// The last is the transpose of the velocity, so force and power pass over to rounding. R_n is the node's turn: a
-/// shell's own, a solid's by the faces about it. The arm stands across the shell: what a turn adds to v is along it, where walls let water slip, and a moment is left out only of forces along
-/// it. Both would come from the skin, which may be many times thicker than the shell: its arms bent a thin plate.
+/// shell's own, a solid's by the faces about it. The arm stands across the shell: what a turn adds to v is along it,
+/// where walls let water slip, and a moment is left out only of forces along it. Both would come from the skin, which
+/// may be many times thicker than the shell: its arms bent a thin plate.
 ///
 /// A step is cut where the water's is. The structure stands at the begin of a step while the water looks half a step
 /// ahead (`look_ahead`: shells with their present velocities, solids where they will be); the forces found there act
-/// through the whole step of a shell (shell_in_time.h), and as a blow in its middle on a solid (solid_in_time.h).
+/// through the whole step of a shell (shell_in_time.h), and as an impulse in its middle on a solid (solid_in_time.h).
 ///
-/// Added mass: as of rigid bodies (bodies/rigid_in_water.h) water answers to a wall's acceleration within the same evaluation,
-/// with the mass of 0.62 dp of water where h = 1.55 dp (docs/decisions/038-coupling.md). So each node hands over a
-/// relaxed acceleration,
+/// Added mass: as of rigid bodies (bodies/rigid_in_water.h) water answers to a wall's acceleration within the same
+/// evaluation, with the mass of 0.62 dp of water where h = 1.55 dp (docs/decisions/038-coupling.md). So each node hands
+/// over a relaxed acceleration,
 ///
 ///   a'_n += theta_n (a_n - a'_n),   theta_n = 1 / (1 + rho0 dp A_n / m_n)
 ///
@@ -41,7 +42,7 @@ public:
 
     const ElasticSetup& setup() const { return *setup_; }
     bool fixed() const override { return false; }
-    bool gives_way() const override { return true; }
+    bool is_deformable() const override { return true; }
     bool meets_wall(const Vec3& normal) const override;
 
     // --- points of the body
@@ -70,7 +71,7 @@ public:
     /// Water on a wall is a spring of rho0 c0^2 / dp to a unit of area; below 2 / omega of the lightest node on it [s].
     double stable_step() const override;
     double step_within(double dt) const override { return structure_->step_within(dt); }
-    int rehearsals() const override { return setup_->coupling.iterations - 1; }
+    int sub_iterations() const override { return setup_->coupling.iterations - 1; }
 
     void look_ahead(double drift) override;
     bool takes_forces_of_dummies() const override { return true; }
@@ -81,12 +82,12 @@ public:
     double pressing(double distance, double dp) const override {
         return setup_->coupling.interface->pressing(distance, dp);
     }
-    void strike(const Impulse& /*all*/) override {}
-    void strike(const WallStrike& place) override;
+    void take_impulse(const Impulse& /*all*/) override {}
+    void take_impulse(const WallImpulse& place) override;
     /// Makes the step that `move` would make, takes it back, and hands over the relaxed acceleration that it had: the
     /// forces on the body are then found anew. So water and body answer each other again within one step; each time the
     /// error of that acceleration falls by 1 - theta (1 + c rho0 dp A/m), see above.
-    void rehearse(const BodyStep& step) override;
+    void sub_iterate(const BodyStep& step) override;
     /// The water has been compressed with the velocities that the dummies had till now for twice what was drifted
     /// before; what will be drifted at the end is how far the next evaluation looks ahead.
     void move(const BodyStep& step) override;
@@ -102,8 +103,8 @@ public:
     double work_taken() const { return work_taken_; }
     double work_given() const { return work_given_; }
     double work_exchanged() const { return work_exchanged_; }  ///< the sum of the magnitudes, step by step
-    /// The same over the last sixteen steps or so, over the work exchanged in them or, if larger, a hundredth of all: water
-    /// and body that throw their accelerations to and fro (added mass) make as much energy as they exchange [-].
+    /// The same over the last sixteen steps or so, over the work exchanged in them or, if larger, a hundredth of all:
+    /// water and body that throw their accelerations to and fro (added mass) make as much energy as they exchange [-].
     std::optional<double> energy_made_lately() const override;
     /// Its first rigid part where it has one, the water's force, its points and gauges, and energies.
     void describe(const Load& load, const Note& note) const override;

@@ -31,8 +31,8 @@ Interface pressure_interface();
 Interface background_interface();
 
 /// By contact forces on particles nearer than half a spacing, as codes of crash analysis couple SPH and finite elements
-/// (Jian & Wu's study, eq. 7: F_i = SLFACM STF g_i); the kernel sees no body. How the force F grows with the penetration
-/// g, over k g, where `s = g / (dp/2)`:
+/// (Jian & Wu's study, eq. 7: F_i = SLFACM STF g_i); the kernel sees no body. How the force F grows with the
+/// penetration g, over k g, where `s = g / (dp/2)`:
 struct PenaltyContact {
     enum class Law {
         linear,     ///< 1
@@ -49,7 +49,7 @@ Interface interface_of(const ElasticPlate& plate);
 /// How a body and its interface are advanced in time.
 struct Coupling {
     Interface interface = pressure_interface();
-    /// How often water and body answer each other in each step (ElasticBody::rehearse).
+    /// How often water and body answer each other in each step (ElasticBody::sub_iterate).
     int iterations = 1;
     /// Whether the water feels relaxed accelerations (elastic_body.h). Without it the scheme is the conventional
     /// staggered one, which a body lighter than the water that moves with it makes unstable.

@@ -33,7 +33,7 @@ TEST(RotatingSquarePatch, KeepsItsMomentaAndOnlyLosesEnergy) {
 }
 
 TEST(ImpingingJets, MakeNoEnergyAndTheStagnationPressure) {
-    // Two equal jets meet head on: a blow of sound first, then Bernoulli's rho U^2 / 2 in the middle.
+    // Two equal jets meet head on: an impulse of sound first, then Bernoulli's rho U^2 / 2 in the middle.
     const SimulationSetup s = plane(0.05, 20, 15);  // what the blow throws out does not reach the edges
     Simulation simulation(s, weightless(s, {Vec3(-3, 0, -0.5), Vec3(3, 0, 0.5)}));
     const FieldsToSet p = simulation.fields_to_set();

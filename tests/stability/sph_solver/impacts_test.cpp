@@ -53,14 +53,14 @@ Simulation thrown_at(const Surface& solid, const Box& block, double dp, double c
     return simulation;
 }
 
-struct Blow {
+struct AtPlace {
     double impulse = 0;  ///< on the section [N s/m]
     double lost = 0;     ///< momentum that the water has lost meanwhile [N s/m]
     double peak = 0;     ///< largest force [N/m]
     double aside = 0;    ///< impulse along x
 };
-Blow blow_of(Simulation& simulation, double until) {
-    Blow b;
+AtPlace blow_of(Simulation& simulation, double until) {
+    AtPlace b;
     const double start = sums_of(simulation).z;
     double before = 0;
     while (simulation.time() < until) {
@@ -86,7 +86,7 @@ Blow blow_of(Simulation& simulation, double until) {
 TEST(FlatPlate, GetsTheImpulseOfTheWaterHammerAndItsRelief) {
     const double c0 = 160, a = 0.5;  // so fast that the water stays where it is
     Simulation simulation = thrown_at(section(0), {Vec3(-1.5, 0, -0.8), Vec3(1.5, 0, 0)}, a / 20, c0);
-    const Blow b = blow_of(simulation, a / c0);
+    const AtPlace b = blow_of(simulation, a / c0);
     const double t = simulation.time(), exact = 1000 * c0 * 2 * a * t * (1 - c0 * t / (4 * a));
     std::cout << "flat: impulse over exact " << b.impulse / exact << ", momentum lost over it " << b.lost / b.impulse
               << ", peak over rho c0 U 2a " << b.peak / (1000 * c0 * 2 * a) << "\n";
@@ -100,7 +100,7 @@ TEST(FlatPlate, WithTwoDegreesGetsTheSameImpulseWithoutThePeak) {
     const Box block{Vec3(-2.5, 0, -2), Vec3(2.5, 0, 0)};
     Simulation flat_water = thrown_at(section(0), block, 1.0 / 32, 40),
                water = thrown_at(section(2), block, 1.0 / 32, 40);
-    const Blow flat = blow_of(flat_water, 0.1), b = blow_of(water, 0.1);
+    const AtPlace flat = blow_of(flat_water, 0.1), b = blow_of(water, 0.1);
     std::cout << "2 degrees over flat: impulse " << b.impulse / flat.impulse << ", peak " << b.peak / flat.peak
               << "; impulse over rho U pi a^2 / 2 " << b.impulse / (1000 * pi / 8) << "\n";
     EXPECT_NEAR(b.impulse / flat.impulse, 1, 0.08);
@@ -116,7 +116,7 @@ TEST(SharpKeel, CutsTheWaterAndNoneIsInside) {
     Simulation simulation = thrown_at(blade, {Vec3(-0.5, 0, -0.8), Vec3(0.5, 0, 0)}, dp, 20);
     const std::size_t n = simulation.particles().size();
     const double energy = sums_of(simulation).energy;
-    const Blow b = blow_of(simulation, 0.8);
+    const AtPlace b = blow_of(simulation, 0.8);
     const Particles& p = simulation.particles();
     ASSERT_EQ(p.size(), n);
     const SurfaceQuery query(blade);

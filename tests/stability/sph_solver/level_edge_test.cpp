@@ -54,15 +54,15 @@ void collapses_over(const Zone& zone, const char* where) {
     }
     const Refinement& edge = run.refinements()[0];
     std::printf("dam break over an edge %s: mass within %.2f %%, energy at most %.3f of the start's, %lld births\n",
-                where, 100 * most_mass, most_energy, static_cast<long long>(edge.ledger().births));
+                where, 100 * most_mass, most_energy, static_cast<long long>(edge.ledger().splits));
     EXPECT_LT(most_mass, 0.03);
     EXPECT_LT(most_energy, 1.05);  // found 1.036: 2 % more water, high up
     EXPECT_GT(front, 1.9) << "or nothing has moved";
-    EXPECT_GT(edge.ledger().births, 500);
+    EXPECT_GT(edge.ledger().splits, 500);
     EXPECT_EQ(run.ledger().out, 0);
 }
 
-// Children that are left out where the flow brings parents near each other were up to 8 % of the water here.
+// Daughters that are left out where the flow brings parents near each other were up to 8 % of the water here.
 TEST(LevelEdge, AcrossTheWayOfADamBreakLosesNoWater) {
     collapses_over(Zone({Box{Vec3(0.88, -infinite, -infinite), Vec3(infinite, infinite, infinite)}}),
                    "under the column");

@@ -23,21 +23,21 @@ TEST(BlockOnTheFloor, LetsNoWaterUnderIt) {
     Simulation run(setup.simulation, setup.fluid);
     const Box block = scene.obstacles[0].surface.bounds();
     const double dp = scene.resolution.near_hull;
-    std::size_t struck = 0;
+    std::size_t impulses = 0;
     while (run.time() < 0.65) {
         run.step();
         const Particles& p = run.finest().particles();
-        struck = 0;
+        impulses = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
             const Vec3 x(p.x[i], p.y[i], std::abs(p.z[i]));
             const Vec3 inside = (x - block.min).cwiseMin(block.max - x);
             const double depth = std::min({inside.x(), inside.y(), block.max.z() - x.z()});  // the floor is no way in
             ASSERT_LT(depth, 0.5 * dp) << "t = " << run.time() << " s, " << x.transpose();
-            struck += x.x() > block.max.x() && x.x() < block.max.x() + 2 * dp && std::abs(x.y() - 0.5) < 0.2;
+            impulses += x.x() > block.max.x() && x.x() < block.max.x() + 2 * dp && std::abs(x.y() - 0.5) < 0.2;
         }
     }
-    EXPECT_GT(struck, 50u) << "or the wave has not come";
+    EXPECT_GT(impulses, 50u) << "or the wave has not come";
 }
 
 }  // namespace obstacle_test

@@ -19,7 +19,7 @@ namespace air_on_device_test {
 
 const std::vector<Box> column{{Vec3(0, 0, 0), Vec3(0.5, 0.3, 0.6)}};
 
-/// Air that blows, so that lists last some steps only.
+/// Air that impulses, so that lists last some steps only.
 Simulation with_air(const SimulationSetup& s, const std::vector<Box>& water = column) {
     Simulation simulation(s, fill_with_fluid(s, water), emulated());
     add_air(simulation, {}, fill_with_air(s, water));

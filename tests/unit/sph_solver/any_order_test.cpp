@@ -1,5 +1,5 @@
-// Sums over particles do not depend on the order in which particles are kept: loads, impulses, momentum and energies have
-// the same bits.
+// Sums over particles do not depend on the order in which particles are kept: loads, impulses, momentum and energies
+// have the same bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,8 +162,8 @@ std::vector<double> advanced(bool reordered) {
     simulation.set_control_volume(ControlVolume({Vec3(0.22, 0, 0), Vec3(1.4, 0.61, 0.43)}, dp, {}));
     Level& level = simulation.level(0);
     level.refresh(0);
-    level.first_sweep(0, 0, 0, nullptr);
-    level.second_sweep(0);
+    level.first_pair_loop(0, 0, 0, nullptr);
+    level.second_pair_loop(0);
     level.gather_loads(Vec3::Zero());
     Particles& p = level.system().particles;
     stir(p, 6);  // onto the box, so fast that nothing but the last resort keeps them out
@@ -176,11 +176,11 @@ std::vector<double> advanced(bool reordered) {
         });
     }
     const double dt = 0.6 * dp / 6;
-    const Level::Struck struck = level.advance({dt, 0, dt}, Vec3(0.3, 0.1, 0.2));
+    const Level::Impulses impulses = level.advance({dt, 0, dt}, Vec3(0.3, 0.1, 0.2));
     EXPECT_GT(level.ledger().held, 100);
     std::vector<double> all;
     const Load& load = level.walls().loads().front();
-    for (const Vec3& v : {struck.bodies.front().impulse, struck.bodies.front().turn, load.force, load.moment,
+    for (const Vec3& v : {impulses.bodies.front().impulse, impulses.bodies.front().turn, load.force, load.moment,
                           level.control_volume()->state().crossed})
         all.insert(all.end(), v.begin(), v.end());
     return all;

@@ -14,7 +14,7 @@
 
 #include "base/errors.h"
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace choose_passes_test {
@@ -84,7 +84,7 @@ TEST(ChoosePasses, WhereNothingCanBeRememberedTakesTheDefault) {
     EXPECT_EQ(&choose_passes(), runnable_passes().front());
 }
 
-/// The first sweep and the forces of a jittered block with one variant, in the order of its lattice.
+/// The first pair loop and the forces of a jittered block with one variant, in the order of its lattice.
 struct Sums {
     std::vector<RateRecord> rate;
     std::vector<double> divergence, support;
@@ -92,8 +92,8 @@ struct Sums {
 Sums sums_with(const Passes& passes) {
     constexpr double dp = 0.1, h = 1.5 * dp;
     constexpr int edge = 10;
-    const Quanta quanta(Vec3::Zero(), dp / (1 << 18));
-    const ColumnGrid grid({Vec3::Zero(), Vec3::Constant(edge * dp)}, dp, 3, quanta, passes.lanes);
+    const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
+    const ColumnGrid grid({Vec3::Zero(), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
     std::uniform_real_distribution<float> any(-1, 1);
@@ -101,7 +101,7 @@ Sums sums_with(const Passes& passes) {
     std::vector<VelocityDensityRecord> all_motion;
     for (int k = 0; k < edge * edge * edge; ++k) {
         const Vec3 x = dp * Vec3(k % edge, k / edge % edge, k / edge / edge);
-        raw.push_back(quanta.wide(x + Vec3(jitter(random), jitter(random), jitter(random))));
+        raw.push_back(fixed_point.wide(x + Vec3(jitter(random), jitter(random), jitter(random))));
         all_motion.push_back({any(random), any(random), any(random), any(random)});
     }
     raw[1] = raw[0];  // two at one place
@@ -121,23 +121,23 @@ Sums sums_with(const Passes& passes) {
     NeighbourLists lists;
     const Source source{&grid, place.data(), &start, 0};
     make_groups(source, passes.lanes, groups);
-    lists.build(passes, quanta, source, groups, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
+    lists.build(passes, fixed_point, source, groups, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
     const WaterView water{.list = lists.view(),
                           .place = place.data(),
                           .motion = motion.data(),
                           .stress = stress.data(),
                           .surface = surface.data(),
                           .kernel = Kernel(h, 3),
-                          .quantum = static_cast<float>(quanta.size),
+                          .quantum = static_cast<float>(fixed_point.size),
                           .inv_mass = static_cast<float>(1 / (1000 * dp * dp * dp))};
-    FirstSweepData first{.water = water, .stress = stress.data(), .shift = shift.data(), .rate = rate.data()};
+    FirstPairLoopData first{.water = water, .stress = stress.data(), .shift = shift.data(), .rate = rate.data()};
     first.inv_W_dp = static_cast<float>(1 / water.kernel.W(dp));
-    SecondSweepData second{.water = water, .shift = shift.data(), .rate = rate.data()};
+    SecondPairLoopData second{.water = water, .shift = shift.data(), .rate = rate.data()};
     second.diffusion = 2, second.viscosity = 100;
     PruneData prune;
     prune.lists = lists.view();
     prune.of = prune.place = place.data();
-    prune.reach = 2 * h / quanta.size;
+    prune.reach = 2 * h / fixed_point.size;
     const int count = static_cast<int>(groups.size());
     passes.run(prune, groups.data(), count);
     passes.run(first, groups.data(), count);

@@ -30,7 +30,8 @@ TEST(ControlVolume, OfStillWaterHasNoForce) {
     }
 }
 
-// What pulls along the faces counts: a flux P_xz that grows with z takes its slope times the volume of momentum along x.
+// What pulls along the faces counts: a flux P_xz that grows with z takes its slope times the volume of momentum along
+// x.
 TEST(ControlVolume, HasTheMomentumThatPullsAlongItsFaces) {
     constexpr double slope = 3;
     ControlVolume cv({Vec3(-1, -1, -1), Vec3(1, 1, 1)}, 0.25, {});
@@ -42,8 +43,8 @@ TEST(ControlVolume, HasTheMomentumThatPullsAlongItsFaces) {
     EXPECT_NEAR((cv.state().impulse - Vec3(-8 * slope, 0, 0)).norm(), 0, 1e-5);
 }
 
-// Layers of particles that have sunk or risen by part of a spacing weigh what the pressure on the floor carries: counted
-// whole, they would be up to half a layer too heavy or too light, rho g dp / 2 on the floor's area.
+// Layers of particles that have sunk or risen by part of a spacing weigh what the pressure on the floor carries:
+// counted whole, they would be up to half a layer too heavy or too light, rho g dp / 2 on the floor's area.
 TEST(ControlVolume, WeighsLayersOfWaterAsTheFloorsPressureCarriesThem) {
     constexpr double dp = 0.1, floor = -1, edge = 0.8;
     ControlVolume::Shape half;

@@ -12,14 +12,14 @@ namespace tw {
 namespace decomposition_test {
 
 const double dp = 0.1;
-const Quanta quanta(Vec3(2, 1, 0), dp / (1 << 18));
+const Quanta fixed_point(Vec3(2, 1, 0), dp / (1 << 18));
 const Box domain{Vec3(0, 0, 0), Vec3(4, 2, 1)};
 
 ColumnGrid grid_over_domain() {
     Box area = domain;
     area.min.array() -= 4 * dp;
     area.max.array() += 4 * dp;
-    return ColumnGrid(area, dp, 3, quanta, 8);
+    return ColumnGrid(area, dp, 3, fixed_point, 8);
 }
 /// Water that stands thrice as high in one half, and dry columns all round it.
 std::vector<std::int64_t> work_of(const ColumnGrid& grid) {
@@ -82,8 +82,8 @@ TEST(Decomposition, ACopyIsHeldByAllWhoHaveAPlaceWithinReachOfItOrOfItsImage) {
     mirrors.on[1] = {true, true};
     const double reach = 3.7 * dp;
     Decomposition columns(grid, grid, work_of(grid), 5);
-    columns.find_holders(grid, mirrors, quanta.wide(domain.min), quanta.wide(domain.max),
-                         static_cast<std::int64_t>(reach * quanta.per_metre) + 1);
+    columns.find_holders(grid, mirrors, fixed_point.wide(domain.min), fixed_point.wide(domain.max),
+                         static_cast<std::int64_t>(reach * fixed_point.per_metre) + 1);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> x(0, 4), y(0, 2), apart(-reach, reach);
     int across = 0, by_image = 0;
@@ -95,7 +95,7 @@ TEST(Decomposition, ACopyIsHeldByAllWhoHaveAPlaceWithinReachOfItOrOfItsImage) {
         if (n % 5 == 0 && 2 - of.y() < reach) seen.y() = 4 - seen.y();
         const Vec3 from = seen + Vec3(apart(random), apart(random), 0);
         if ((from - seen).norm() > reach) continue;
-        const int owner = columns.owner(grid.of(quanta.wide(from))), column = grid.of(quanta.wide(of));
+        const int owner = columns.owner(grid.of(fixed_point.wide(from))), column = grid.of(fixed_point.wide(of));
         EXPECT_TRUE(columns.holds(owner, column)) << of.transpose() << " is seen from " << from.transpose();
         across += owner != columns.owner(column);
         by_image += owner != columns.owner(column) && seen != of;
@@ -141,8 +141,8 @@ TEST(FieldTable, AParticlePackedAndUnpackedIsTheSame) {
 TEST(Columns, WhatHasOnePlaceIsOrderedByItsId) {
     const ColumnGrid grid = grid_over_domain();
     const std::vector<std::int64_t> ids{5, 3, 9, 1};
-    std::vector<WidePlace> places(4, quanta.wide({1, 1, 0.5}));
-    places[2] = quanta.wide({1, 1, 0.2});
+    std::vector<WidePlace> places(4, fixed_point.wide({1, 1, 0.5}));
+    places[2] = fixed_point.wide({1, 1, 0.2});
     std::vector<std::int32_t> order, start;
     sort_by_column(grid, places, order, start);
     EXPECT_EQ(order, (std::vector<std::int32_t>{2, 0, 1, 3}));

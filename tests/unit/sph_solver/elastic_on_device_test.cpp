@@ -84,7 +84,7 @@ TEST_F(OnDevice, APlateBendsUnderWaterOfTwoSizes) {
     expect_same_steps(run.host, run.device, 20);
 }
 
-/// The host looks after particles that the plate has to hold, and the plate gets their blows.
+/// The host looks after particles that the plate has to hold, and the plate gets their impulses.
 TEST_F(OnDevice, APlateHoldsParticlesThatStrikeIt) {
     const ColumnOnPlate column{0.01};
     const SimulationSetup s = column.setup();

@@ -12,9 +12,9 @@
 #include "sph_solver/equations/surface_tension.h"
 #include "sph_solver/equations/tension_control.h"
 #include "sph_solver/equations/viscosity.h"
+#include "sph_solver/equations/wall_completeness.h"
 #include "sph_solver/equations/wall_pressure.h"
-#include "sph_solver/equations/wall_touch.h"
-#include "sph_solver/equations/water_touch.h"
+#include "sph_solver/equations/water_completeness.h"
 
 namespace tw {
 namespace equations_test {
@@ -44,8 +44,8 @@ TEST(Shifting, KeepsWhatGoesAlongTheSurface) {
     EXPECT_EQ(s.z, 3);
 }
 
-TEST(WallTouch, CompressionBeginsAtTheTouchSupportAndIsFullAtOne) {
-    const WallTouch from_0_9{.inv_dp = 3, .inv_void = 10};
+TEST(WallCompleteness, CompressionBeginsAtTheTouchSupportAndIsFullAtOne) {
+    const WallCompleteness from_0_9{.inv_dp = 3, .inv_void = 10};
     EXPECT_EQ(from_0_9.compression(5.0f, 0.85f), 0);
     EXPECT_NEAR(from_0_9.compression(5.0f, 0.95f), 2.5, 1e-5);
     EXPECT_EQ(from_0_9.compression(5.0f, 1.0f), 5);
@@ -57,7 +57,7 @@ TEST(WallTouch, CompressionBeginsAtTheTouchSupportAndIsFullAtOne) {
 float touch_in_film(int rows, float gap) {
     const float dp = 0.01f;
     const Kernel kernel(1.55 * double(dp), 3);
-    const WallTouch touch{.inv_dp = kernel.support_length / dp, .inv_void = 10};
+    const WallCompleteness touch{.inv_dp = kernel.support_length / dp, .inv_void = 10};
     float sum = 0;
     const auto add = [&](float x, float y, float z) {
         const V3<float> r{x * kernel.inv_support, y * kernel.inv_support, z * kernel.inv_support};
@@ -72,7 +72,7 @@ float touch_in_film(int rows, float gap) {
     return sum * kernel.W_over_G;
 }
 
-TEST(WallTouch, AFilmIsTouchedAsDeepWaterIsAndAVoidIsSeen) {
+TEST(WallCompleteness, AFilmIsTouchedAsDeepWaterIsAndAVoidIsSeen) {
     for (const int rows : {0, 1, 5}) EXPECT_NEAR(touch_in_film(rows, 0), 1, 0.01) << rows;
     EXPECT_NEAR(touch_in_film(5, 0.001f), 0.92, 0.02);  // a tenth of a spacing
     EXPECT_LT(touch_in_film(5, 0.005f), 0.7);
@@ -96,10 +96,11 @@ double filled(int rows, int above, double h_over_dp, int dimensions, double wide
                 S += pair.V_W();
                 shifting.add(pair, s);
             }
-    return double(S * kernel.W_over_G) + WaterTouch::of_plane_surface(kernel, dp, dimensions) * std::sqrt(dot(s, s));
+    return double(S * kernel.W_over_G) +
+           WaterCompleteness::of_plane_surface(kernel, dp, dimensions) * std::sqrt(dot(s, s));
 }
 
-TEST(WaterTouch, APlaneSurfaceTakesNothingAndAVoidDoes) {
+TEST(WaterCompleteness, APlaneSurfaceTakesNothingAndAVoidDoes) {
     for (const int dimensions : {2, 3})
         for (const double h_over_dp : {1.3, 1.55, 2.0}) {
             SCOPED_TRACE(h_over_dp);
@@ -109,13 +110,13 @@ TEST(WaterTouch, APlaneSurfaceTakesNothingAndAVoidDoes) {
         }
 }
 
-TEST(WaterTouch, OnlyCompressionWaitsForTheVoid) {
-    const WaterTouch touch{.a = 0};
+TEST(WaterCompleteness, OnlyCompressionWaitsForTheVoid) {
+    const WaterCompleteness touch{.a = 0};
     EXPECT_EQ(touch.compression(5.0f, 0.75f, 0.0f), 0);
     EXPECT_NEAR(touch.compression(5.0f, 0.85f, 0.0f), 2.5, 1e-5);
     EXPECT_EQ(touch.compression(5.0f, 0.9f, 0.0f), 5);
     EXPECT_EQ(touch.compression(-5.0f, 0.5f, 0.0f), -5);
-    EXPECT_EQ((WaterTouch{.a = 0.1f}.compression(5.0f, 0.7f, 2.0f)), 5) << "a plane surface";
+    EXPECT_EQ((WaterCompleteness{.a = 0.1f}.compression(5.0f, 0.7f, 2.0f)), 5) << "a plane surface";
 }
 
 // What a wall does to water at its edge: no push along its way into the open, all else as it was.

@@ -33,12 +33,12 @@ TEST(ForPairs, GivesEveryGroupToThePassOnce) {
     struct Data {
         int* visits;
     };
-    struct Sweeps {
+    struct PairLoops {
         void run(const Data& d, const Group* g, int count) const {
             for (int k = 0; k < count; ++k) ++d.visits[g[k].first];
         }
     };
-    for_pairs(Sweeps{}, Data{visits.data()}, groups);
+    for_pairs(PairLoops{}, Data{visits.data()}, groups);
     EXPECT_EQ(visits, std::vector<int>(100, 1));
 }
 

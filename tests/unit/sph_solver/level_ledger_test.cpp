@@ -40,19 +40,19 @@ TEST(LevelLedger, CountsEveryParticleOnceAndBalancesBirthsAndDeaths) {
     for (int k = 0; k < 30; ++k) simulation.step();
     for (std::size_t k = 0; k < 2; ++k) {
         const LevelLedger l = level_ledgers(simulation)[k];
-        EXPECT_EQ(l.active + l.guards + l.band + l.carried,
+        EXPECT_EQ(l.active + l.buffers + l.overlap + l.slaves,
                   static_cast<std::int64_t>(simulation.level(k).particles().size()));
-        EXPECT_EQ(l.guards > 0, k == 1);
-        EXPECT_EQ(l.band + l.carried > 0, k == 0);
+        EXPECT_EQ(l.buffers > 0, k == 1);
+        EXPECT_EQ(l.overlap + l.slaves > 0, k == 0);
     }
     const std::vector<LevelLedger> sizes = level_ledgers(simulation);
     const LevelLedger &coarse = sizes[0], &fine = sizes[1];
     EXPECT_EQ(fine.dt, coarse.dt / 2);
     EXPECT_EQ(fine.spacing, coarse.spacing / 2);
-    ASSERT_GT(fine.edge.births, 0);
-    ASSERT_GT(fine.edge.deaths, 0);
+    ASSERT_GT(fine.edge.splits, 0);
+    ASSERT_GT(fine.edge.merges, 0);
     EXPECT_EQ(static_cast<std::int64_t>(simulation.level(1).particles().size()),
-              static_cast<std::int64_t>(at_start) + fine.edge.births - fine.edge.deaths);
+              static_cast<std::int64_t>(at_start) + fine.edge.splits - fine.edge.merges);
 }
 
 // A zone of 20 x 20 coarse particles that loses eight fine ones, two coarse ones' mass, has lost 1/200 of its mass.
@@ -61,7 +61,7 @@ TEST(LevelLedger, MassThatAZoneLosesIsTold) {
     EXPECT_EQ(level_ledgers(simulation)[1].mass_drift, 0);
     int taken = 0;
     for (Kind& kind : simulation.level(1).system().particles.kind)
-        if (kind == Kind::fluid && taken < 8) kind = Kind::guard, ++taken;
+        if (kind == Kind::fluid && taken < 8) kind = Kind::buffer, ++taken;
     EXPECT_NEAR(level_ledgers(simulation)[1].mass_drift, -1.0 / 200, 1e-12);
     RunRecord record;
     watch_stability(simulation, record);

@@ -27,16 +27,16 @@ SimulationSetup stream() {
         if (const auto same = same_bits(p, q); !same)
             return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
         const LevelLedger of_a = level_ledgers(a)[k], of_b = level_ledgers(b)[k];
-        if (of_a.active != of_b.active || of_a.guards != of_b.guards || of_a.band != of_b.band ||
-            of_a.carried != of_b.carried ||
-            of_a.active + of_a.guards + of_a.band + of_a.carried != static_cast<std::int64_t>(q.size()))
+        if (of_a.active != of_b.active || of_a.buffers != of_b.buffers || of_a.overlap != of_b.overlap ||
+            of_a.slaves != of_b.slaves ||
+            of_a.active + of_a.buffers + of_a.overlap + of_a.slaves != static_cast<std::int64_t>(q.size()))
             return ::testing::AssertionFailure() << "level " << k << " counts others";
-        if (p.children != q.children || p.compression != q.compression || p.aired != q.aired)
+        if (p.daughters != q.daughters || p.compression != q.compression || p.aired != q.aired)
             return ::testing::AssertionFailure() << "level " << k << " knows other children, compressions or air";
     }
     for (std::size_t k = 0; k < a.refinements().size(); ++k) {
         const Refinement::Ledger &p = a.refinements()[k].ledger(), &q = b.refinements()[k].ledger();
-        if (p.births != q.births || p.deaths != q.deaths || p.spray != q.spray || p.orphans != q.orphans)
+        if (p.splits != q.splits || p.merges != q.merges || p.spray != q.spray || p.orphans != q.orphans)
             return ::testing::AssertionFailure() << "edge " << k << " has other births, deaths, spray or orphans";
         if (a.refinements()[k].mass_drift() != b.refinements()[k].mass_drift())
             return ::testing::AssertionFailure() << "edge " << k << " has another drift of mass";
@@ -62,8 +62,8 @@ TEST_F(OnDevice, ThreeSizesOfParticlesInAStreamMeetAsOnTheHost) {
     put_on_device(device);
     expect_same_steps(host, device, 30);
     for (const Refinement& edge : device.refinements()) {
-        EXPECT_GT(edge.ledger().births, 0);
-        EXPECT_GT(edge.ledger().deaths, 0);
+        EXPECT_GT(edge.ledger().splits, 0);
+        EXPECT_GT(edge.ledger().merges, 0);
     }
     EXPECT_GT(device.load().force.norm(), 0);
     PointSamples at_host, at_device;
@@ -94,7 +94,7 @@ TEST_F(OnDevice, WhereSizesMeetFewParticlesTravel) {
     const double bytes = double(to.to_device - from.to_device) + double(to.to_host - from.to_host);
     std::printf("%.1f bytes a particle and step between host and device\n", bytes / steps / double(particles));
     EXPECT_LT(bytes / steps, 24 * double(particles));  // places alone would be that
-    for (const Refinement& edge : run.refinements()) EXPECT_GT(edge.ledger().births, 0);
+    for (const Refinement& edge : run.refinements()) EXPECT_GT(edge.ledger().splits, 0);
 }
 
 TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {
@@ -113,13 +113,13 @@ TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {
         for (Simulation* run : {&host, &device})
             for (std::size_t k = 0; k < 2; ++k) std::ranges::fill(run->level(k).fields_to_set().u, u);
         expect_same_steps(host, device, 30);
-        return device.refinements()[0].ledger().births;
+        return device.refinements()[0].ledger().splits;
     };
     const std::int64_t first = surge(2);
     EXPECT_GT(first, 0);
     surge(-2);
-    EXPECT_GT(std::ranges::count(device.level(0).particles().children, Children::some), 0);
-    EXPECT_GT(surge(2), first);  // of parents some of whose children are there
+    EXPECT_GT(std::ranges::count(device.level(0).particles().daughters, Daughters::some), 0);
+    EXPECT_GT(surge(2), first);  // of parents some of whose daughters are there
 }
 
 TEST_F(OnDevice, SprayEndsInWaterOfAnyCoarserSize) {
@@ -165,7 +165,7 @@ TEST_F(OnDevice, AZoneGoesWithABodyThatFalls) {
     put_on_device(device);
     expect_same_steps(host, device, 60);
     EXPECT_EQ(host.body(0).state(), device.body(0).state());
-    EXPECT_GT(device.refinements()[0].ledger().births, 0);
+    EXPECT_GT(device.refinements()[0].ledger().splits, 0);
 }
 
 TEST_F(OnDevice, AZoneThatGetsAnotherPartIsFoundAnew) {
@@ -189,7 +189,7 @@ TEST_F(OnDevice, AZoneThatGetsAnotherPartIsFoundAnew) {
     Simulation host(tank(), water, emulated()), device(tank(), water, emulated());
     put_on_device(device);
     expect_same_steps(host, device, 15);
-    EXPECT_GT(device.refinements()[0].ledger().births, 300);  // the new part's
+    EXPECT_GT(device.refinements()[0].ledger().splits, 300);  // the new part's
 }
 
 TEST_F(OnDevice, ACheckpointOfSeveralSizesGoesFromTheHostToADeviceAndBack) {

@@ -73,14 +73,14 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
         }
 }
 
-// A zone that the water is just coming to holds guards alone.
+// A zone that the water is just coming to holds buffer particles alone.
 TEST(Interpolation, FromNothingThatCountsIsNothing) {
     Simulation simulation = linear_water(2, true);
-    for (Kind& kind : simulation.level(0).system().particles.kind) kind = Kind::guard;
+    for (Kind& kind : simulation.level(0).system().particles.kind) kind = Kind::buffer;
     FieldsAt at;
     at.places = {Vec3(0.8, 0, 0.4), Vec3(0.33, 0, 0.4)};
     at.want_compression = true;
-    at.of = Giving::not_guards;
+    at.of = Giving::not_buffers;
     simulation.level(0).interpolate(at);
     ASSERT_EQ(at.compression.size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -110,7 +110,7 @@ Simulation four_levels(int threads) {
     for (std::size_t k = 0; k < a.levels().size(); ++k) {
         const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
         if (p.id != q.id || p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho ||
-            p.kind != q.kind || p.children != q.children)
+            p.kind != q.kind || p.daughters != q.daughters)
             return ::testing::AssertionFailure() << "level " << k << " differs";
     }
     return ::testing::AssertionSuccess();
@@ -159,8 +159,8 @@ TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
     Simulation simulation = make(2);
     const auto before = static_cast<std::int64_t>(simulation.particles().size());
     for (int k = 0; k < 60; ++k) simulation.step();
-    EXPECT_GT(simulation.refinements()[1].ledger().births, 0);
-    EXPECT_GT(simulation.refinements()[1].ledger().deaths, 0);
+    EXPECT_GT(simulation.refinements()[1].ledger().splits, 0);
+    EXPECT_GT(simulation.refinements()[1].ledger().merges, 0);
     const Ledger& l = simulation.ledger();
     EXPECT_EQ(static_cast<std::int64_t>(simulation.particles().size()), before + l.in - l.out);
     EXPECT_DOUBLE_EQ(simulation.level(1).time(), simulation.time());  // two steps of each for one of the coarser
@@ -215,9 +215,9 @@ void expect_same_bits_after_a_restart(Simulation (*make_with)(int threads), int 
     EXPECT_GT(whole.load().force.norm(), 0);
     for (std::size_t k = 0; k < whole.refinements().size(); ++k) {
         const Refinement &a = whole.refinements()[k], &b = resumed.refinements()[k];
-        EXPECT_GT(a.ledger().births, 0) << k;
-        EXPECT_EQ(a.ledger().births, b.ledger().births) << k;
-        EXPECT_EQ(a.ledger().deaths, b.ledger().deaths) << k;
+        EXPECT_GT(a.ledger().splits, 0) << k;
+        EXPECT_EQ(a.ledger().splits, b.ledger().splits) << k;
+        EXPECT_EQ(a.ledger().merges, b.ledger().merges) << k;
         EXPECT_EQ(a.ledger().orphans, b.ledger().orphans) << k;
         EXPECT_EQ(a.mass_drift(), b.mass_drift()) << k;
     }

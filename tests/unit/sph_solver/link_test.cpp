@@ -7,7 +7,7 @@ namespace tw {
 namespace link_test {
 
 const Box box{Vec3(-1, 0, -1), Vec3(1, 1, 1)};
-const Quanta quanta(Vec3::Zero(), 1e-6);
+const Quanta fixed_point(Vec3::Zero(), 1e-6);
 
 /// The map by which a particle at `x`, near the planes or faces `mirrors` alone, has its only image.
 LinkMap map_at(const Vec3& x, const Mirrors& mirrors) {
@@ -16,7 +16,7 @@ LinkMap map_at(const Vec3& x, const Mirrors& mirrors) {
     const std::vector<Link> found = find_images(mirrors, box, p, 0.1);
     EXPECT_EQ(found.size(), 1u);
     EXPECT_EQ(found.at(0).index, 0);
-    return LinkMaps(mirrors, box, quanta)[found.at(0)];
+    return LinkMaps(mirrors, box, fixed_point)[found.at(0)];
 }
 LinkMap behind_the_floor() {
     Mirrors mirrors;
@@ -81,7 +81,7 @@ TEST(Link, BehindAWallThatHoldsTheWaterEverythingMovesAgainstIt) {
     Particles p;
     p.add(-0.95, 0.5, -0.95, 0, 0, 0, Kind::fluid);  // by the side and the floor: three images
     p.add(0, 0.5, 0.95, 0, 0, 0, Kind::fluid);       // under the lid
-    const LinkMaps maps(mirrors, box, quanta);
+    const LinkMaps maps(mirrors, box, fixed_point);
     std::vector<Vec3> seen_of_first, seen_of_second;
     for (const Link& link : find_images(mirrors, box, p, 0.1)) {
         const VelocityDensityRecord u = seen<Law::held>(VelocityDensityRecord{1, 2, 3, 4}, maps[link]);

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace lists_test {
@@ -13,8 +13,8 @@ namespace lists_test {
 /// A cloud without any order, sorted and grouped as the solver does: some columns tall, some empty.
 struct Cloud {
     double dp = 0.1;
-    Quanta quanta{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
-    ColumnGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, quanta,
+    Quanta fixed_point{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
+    ColumnGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, fixed_point,
                     passes().lanes};  // smaller than the cloud
     std::vector<PlaceRecord> places;
     std::vector<std::int32_t> start;
@@ -26,7 +26,7 @@ struct Cloud {
         std::vector<WidePlace> raw;
         for (int k = 0; k < 1500; ++k) {
             const double x = along(random), y = along(random), top = x < 0.5 ? 2 : 0.4;
-            raw.push_back(quanta.wide({x, y, top * height(random)}));
+            raw.push_back(fixed_point.wide({x, y, top * height(random)}));
         }
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, start);
@@ -41,7 +41,7 @@ struct Cloud {
             const PlaceRecord &a = targets[static_cast<std::size_t>(i)], &b = places[k];
             least = std::min(least, std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z));
         }
-        return least * quanta.size;
+        return least * fixed_point.size;
     }
 };
 
@@ -66,7 +66,7 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     Cloud cloud;
     const Reaches reaches{0.36, 0.31, 0.24};
     NeighbourLists lists;
-    lists.build(passes(), cloud.quanta, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
+    lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
                 {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, reaches);
     const double rounding = 1e-5;
     int seen = 0;
@@ -102,7 +102,7 @@ TEST(NeighbourLists, HoldThemForPlacesSortedByColumnsOfAnotherWidth) {
         make_groups(targets, passes().lanes, groups);
         const double reach = 0.31;
         NeighbourLists lists;
-        lists.build(passes(), cloud.quanta, targets, groups, {{&cloud.grid, cloud.places.data(), &cloud.start, 0}},
+        lists.build(passes(), cloud.fixed_point, targets, groups, {{&cloud.grid, cloud.places.data(), &cloud.start, 0}},
                     {reach, reach, reach});
         int seen = 0;
         for (const Group& g : groups) {
@@ -122,16 +122,17 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     Cloud cloud;
     const double support = 0.3, skin = 0.06;
     NeighbourLists lists;
-    lists.build(passes(), cloud.quanta, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
+    lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
                 {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
     for (PlaceRecord& p : cloud.places)
-        for (std::int32_t* x : {&p.x, &p.y, &p.z}) *x += static_cast<std::int32_t>(move(random) / cloud.quanta.size);
+        for (std::int32_t* x : {&p.x, &p.y, &p.z})
+            *x += static_cast<std::int32_t>(move(random) / cloud.fixed_point.size);
     PruneData d;
     d.lists = lists.view();
     d.of = d.place = cloud.places.data();
-    d.reach = support / cloud.quanta.size;
+    d.reach = support / cloud.fixed_point.size;
     passes().run(d, cloud.groups.data(), static_cast<int>(cloud.groups.size()));
     int came_or_went = 0;
     for (const Group& g : cloud.groups) {

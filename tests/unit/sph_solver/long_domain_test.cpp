@@ -1,5 +1,5 @@
-// A domain longer than 32 bits of quanta reach (16384 spacings): two-dimensional rows of 30 000 spacings, along x and
-// upright. Places and velocities repeat every hundred spacings, so that rates must repeat too.
+// A domain longer than 32 bits of fixed-point units reach (16384 spacings): two-dimensional rows of 30 000 spacings,
+// along x and upright. Places and velocities repeat every hundred spacings, so that rates must repeat too.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace long_domain_test {
@@ -18,7 +18,7 @@ constexpr int rows = 4, period = 100;
 
 struct Row {
     int length;
-    Quanta quanta{Vec3(2, 0, 2), dp / one_dp};
+    Quanta fixed_point{Vec3(2, 0, 2), dp / one_dp};
     std::vector<WidePlace> raw;  ///< particle k * rows + m: k along the row, m across
     std::vector<PlaceRecord> place;
     std::vector<std::int32_t> order, start;
@@ -32,7 +32,7 @@ struct Row {
     Row(int spacings, bool upright) : length(spacings) {
         const double end = spacings * dp;
         const Box area{Vec3(0, 0, 0), upright ? Vec3(rows * dp, 0, end) : Vec3(end, 0, rows * dp)};
-        const ColumnGrid grid(area, dp, 2, quanta, passes().lanes);
+        const ColumnGrid grid(area, dp, 2, fixed_point, passes().lanes);
         EXPECT_EQ(grid.nz > 1, upright && spacings > 4096);
         std::mt19937 random(4);
         std::uniform_int_distribution<std::int64_t> jitter(-one_dp / 5, one_dp / 5);
@@ -56,17 +56,17 @@ struct Row {
         }
         const Source source{&grid, place.data(), &start, 0};
         make_groups(source, passes().lanes, groups);
-        lists.build(passes(), quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+        lists.build(passes(), fixed_point, source, groups, {source}, {2 * h, 2 * h, 2 * h});
         stress.resize(place.size()), shift.resize(place.size()), rate.resize(place.size());
-        FirstSweepData d{.water = {.list = lists.view(),
-                                   .place = place.data(),
-                                   .motion = motion.data(),
-                                   .kernel = Kernel(h, 2),
-                                   .quantum = static_cast<float>(quanta.size),
-                                   .two_dimensional = true},
-                         .stress = stress.data(),
-                         .shift = shift.data(),
-                         .rate = rate.data()};
+        FirstPairLoopData d{.water = {.list = lists.view(),
+                                      .place = place.data(),
+                                      .motion = motion.data(),
+                                      .kernel = Kernel(h, 2),
+                                      .quantum = static_cast<float>(fixed_point.size),
+                                      .two_dimensional = true},
+                            .stress = stress.data(),
+                            .shift = shift.data(),
+                            .rate = rate.data()};
         d.inv_W_dp = static_cast<float>(1 / d.water.kernel.W(dp));
         passes().run(d, groups.data(), static_cast<int>(groups.size()));
     }
@@ -123,10 +123,10 @@ TEST(LongDomain, OfThirtyThousandSpacingsHasTheListsFoundByHandAndTheSameRatesEv
 }
 
 TEST(LongDomain, PlacesComeBackFromTheirQuanta) {
-    const Quanta quanta(Vec3(1, 2, 3), dp / one_dp);
+    const Quanta fixed_point(Vec3(1, 2, 3), dp / one_dp);
     for (const double x : {-2000.3, 1.0, 17.77, 1500.5, 2999.9})
         for (int axis = 0; axis < 3; ++axis)
-            EXPECT_NEAR(quanta.metres(quanta.of(x, axis), axis, x + 5), x, quanta.size);
+            EXPECT_NEAR(fixed_point.metres(fixed_point.of(x, axis), axis, x + 5), x, fixed_point.size);
 }
 
 TEST(LevelQuanta, APlaceOfACoarseLevelIsOneOfAFinerLevelByAShift) {

@@ -1,10 +1,10 @@
 #pragma once
-// Steps that a device makes, through a driver that has none (tests/fake_cuda): all that the host does for a real one, with
-// kernels that compute what the variant device_emulated does, to the last bit. Memory that nobody wrote is not a number
-// there, and every access beyond an array ends the program.
+// Steps that a device makes, through a driver that has none (tests/fake_cuda): all that the host does for a real one,
+// with kernels that compute what the variant device_emulated does, to the last bit. Memory that nobody wrote is not a
+// number there, and every access beyond an array ends the program.
 //
-// With TWINWAKE_TEST_LIBCUDA=libcuda.so.1 and TWINWAKE_STRICT_KERNELS=1 in the environment the same is asked of a real one
-// (tools/gpu_evidence.sh).
+// With TWINWAKE_TEST_LIBCUDA=libcuda.so.1 and TWINWAKE_STRICT_KERNELS=1 in the environment the same is asked of a real
+// one (tools/gpu_evidence.sh).
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// The sweeps themselves: walls that move, points that accelerate, loads body by body. A block of jittered water over a
-// floor and beside an upright plate, both of dummy particles.
+// The pair loops themselves: walls that move, points that accelerate, loads body by body. A block of jittered water
+// over a floor and beside an upright plate, both of dummy particles.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace passes_test {
@@ -22,8 +22,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 struct Basin {
     enum Bodies { floor_alone, plate_alone, both };
 
-    Quanta quanta{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
-    ColumnGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, quanta, passes().lanes};
+    Quanta fixed_point{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
+    ColumnGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, fixed_point, passes().lanes};
     std::vector<PlaceRecord> place, wall_place;
     std::vector<std::int32_t> start, wall_start[2], body_end;
     std::vector<VelocityDensityRecord> motion;
@@ -36,27 +36,28 @@ struct Basin {
     std::vector<std::uint32_t> surface;
     std::vector<Group> groups, wall_groups;
     NeighbourLists lists, wall_lists, of_walls;
-    FirstSweepData first;
-    SecondSweepData second;
+    FirstPairLoopData first;
+    SecondPairLoopData second;
 
     explicit Basin(Bodies bodies = both) {
         std::mt19937 random(3);
         std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
         std::vector<WidePlace> raw;
         for (int k = 0; k < 8 * 8 * 6; ++k)
-            raw.push_back(quanta.wide(Vec3{(k % 8 + 0.5) * dp + jitter(random), (k / 8 % 8 + 0.5) * dp + jitter(random),
-                                           (k / 64 + 0.5) * dp + jitter(random)}));
+            raw.push_back(
+                fixed_point.wide(Vec3{(k % 8 + 0.5) * dp + jitter(random), (k / 8 % 8 + 0.5) * dp + jitter(random),
+                                      (k / 64 + 0.5) * dp + jitter(random)}));
         add_sorted(raw, place, start);
         const std::size_t n = place.size();
         std::vector<WidePlace> floor, plate;
         for (int x = -3; x < 11; ++x)
             for (int y = -3; y < 11; ++y)
                 for (int z = -3; z < 0; ++z)
-                    floor.push_back(quanta.wide(Vec3{(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
+                    floor.push_back(fixed_point.wide(Vec3{(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
         for (int x = -3; x < 0; ++x)
             for (int y = -3; y < 11; ++y)
                 for (int z = 0; z < 9; ++z)
-                    plate.push_back(quanta.wide(Vec3{(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
+                    plate.push_back(fixed_point.wide(Vec3{(x + 0.5) * dp, (y + 0.5) * dp, (z + 0.5) * dp}));
         std::vector<Source> walls;
         if (bodies != plate_alone) add_sorted(floor, wall_place, wall_start[0]);
         body_end.push_back(static_cast<std::int32_t>(wall_place.size()));
@@ -78,8 +79,8 @@ struct Basin {
         const Source water{&grid, place.data(), &start, 0};
         make_groups(water, passes().lanes, groups);
         const Reaches reaches{2 * h, 2 * h, 2 * h};
-        lists.build(passes(), quanta, water, groups, {water}, reaches);
-        wall_lists.build(passes(), quanta, water, groups, walls, reaches, &Group::wall_list);
+        lists.build(passes(), fixed_point, water, groups, {water}, reaches);
+        wall_lists.build(passes(), fixed_point, water, groups, walls, reaches, &Group::wall_list);
         wall_load.resize(static_cast<std::size_t>(number_wall_loads(groups, wall_lists.view(), body_end)));
         first.water = {.list = lists.view(),
                        .place = place.data(),
@@ -87,7 +88,7 @@ struct Basin {
                        .stress = stress.data(),
                        .surface = surface.data(),
                        .kernel = Kernel(h, 3),
-                       .quantum = static_cast<float>(quanta.size),
+                       .quantum = static_cast<float>(fixed_point.size),
                        .rho0 = rho0,
                        .inv_mass = static_cast<float>(1 / (rho0 * dp * dp * dp))};
         first.walls = {.list = wall_lists.view(),
@@ -134,7 +135,7 @@ struct Basin {
                 const WallLoad& l = wall_load[static_cast<std::size_t>(k)];
                 if (l.body != body) continue;
                 sum -= Vec3(l.mx, l.my, l.mz) +
-                       (quanta.origin + quanta.size * Vec3(g.x, g.y, g.z)).cross(Vec3(l.ax, l.ay, l.az));
+                       (fixed_point.origin + fixed_point.size * Vec3(g.x, g.y, g.z)).cross(Vec3(l.ax, l.ay, l.az));
             }
         return rho0 * dp * dp * dp * sum;
     }
@@ -202,8 +203,8 @@ Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceler
     std::vector<Group> groups;
     const Source walls{&basin.grid, basin.wall_place.data(), &basin.wall_start[0], 0};
     make_groups(walls, passes().lanes, groups);
-    basin.of_walls.build(passes(), basin.quanta, walls, groups, {{&basin.grid, basin.place.data(), &basin.start, 0}},
-                         {2 * h, 2 * h, 2 * h});
+    basin.of_walls.build(passes(), basin.fixed_point, walls, groups,
+                         {{&basin.grid, basin.place.data(), &basin.start, 0}}, {2 * h, 2 * h, 2 * h});
     Extrapolated r;
     r.p.resize(basin.wall_place.size()), r.support.resize(basin.wall_place.size());
     ExtrapolateData e;

@@ -96,8 +96,8 @@ TEST(SprayGate, LeavesTheBodyOfWaterAndWhatHangsOnIt) {
     EXPECT_FALSE(SprayGate::of(SphOptions{}));
 }
 
-/// A lump across the edge between two sizes leaves as one, with the guards and parents that stand for it: what stays
-/// behind of either size is what a run without the lump has.
+/// A lump across the edge between two sizes leaves as one, with the buffer particles and parents that stand for it:
+/// what stays behind of either size is what a run without the lump has.
 TEST(SprayGate, TakesALumpOfTwoSizesWithAllThatStandsForIt) {
     SimulationSetup s = tank();
     s.dp = dp / 2;

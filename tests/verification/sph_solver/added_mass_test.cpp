@@ -41,8 +41,9 @@ Outcome column_with(const ColumnOnPlate& column, bool relaxed, int iterations, d
     return out;
 }
 
-/// A layer of water one spacing thick, which answers to a wall's acceleration at once, weighs twice as much as this plate.
-/// The conventional staggered scheme then throws the acceleration to and fro; with relaxed accelerations it does not.
+/// A layer of water one spacing thick, which answers to a wall's acceleration at once, weighs twice as much as this
+/// plate. The conventional staggered scheme then throws the acceleration to and fro; with relaxed accelerations it does
+/// not.
 TEST(AddedMass, IsKnownByTheEnergyOfTheInterfaceAndCuredByRelaxation) {
     const ColumnOnPlate column{0.01};
     const double T = 0.3;

@@ -31,9 +31,9 @@ TEST(Bodies, AfloatAtArchimedesDraftStayThere) {
     EXPECT_LT(std::abs(sum / time) / draft, 0.005);
     EXPECT_LT(most / draft, 0.005);
     EXPECT_GT(most, 0) << "or it is held";
-    // Nothing holds it along x, and nothing but rounding drives it there: a constant force of 1e-5 of the water's on one
-    // side, rho g draft^2 / 2, would have moved it by 8.2e-6 m. Five variants of the pair loops: 0.1 to 1.3e-6 m, root
-    // mean square 0.7e-6 m, and 0.8 to 13e-6 rad.
+    // Nothing holds it along x, and nothing but rounding drives it there: a constant force of 1e-5 of the water's on
+    // one side, rho g draft^2 / 2, would have moved it by 8.2e-6 m. Five variants of the pair loops: 0.1 to 1.3e-6 m,
+    // root mean square 0.7e-6 m, and 0.8 to 13e-6 rad.
     const double side = s.rho0 * 9.81 * draft * draft / 2, mass = rigid_of(afloat.body(0)).mass().mass;
     EXPECT_LT(std::abs(centre_of(afloat).x()), 1e-5 * side / mass * afloat.time() * afloat.time() / 2);
     EXPECT_LT(turned_by(afloat), 1e-4);
@@ -203,8 +203,8 @@ double energy_of_body(const Simulation& s) {
 }
 
 /// A heavy circle that hits the water: what one side loses the other gains or turns into heat, and the sum rises by no
-/// more than 0.2 % of what the two exchange (found: 0.04 %). A light one that rises from rest makes more, because walls of
-/// dummies do work (docs/results/energy_budget.md).
+/// more than 0.2 % of what the two exchange (found: 0.04 %). A light one that rises from rest makes more, because walls
+/// of dummies do work (docs/results/energy_budget.md).
 TEST(Bodies, AndWaterTogetherMakeNoEnergy) {
     SimulationSetup heavy = tank(0.01, 0.3, 0.3, 0.3, 30), light = tank(0.01, 0.4, 0.5, 0.2, 30);
     heavy.bodies = {circle_body(0.1, -0.005, 1370)};
@@ -250,8 +250,8 @@ SimulationSetup entry(int threads) {
     return s;
 }
 
-// The rounding of a wall's normal was enough to make pressed water buckle out of its plane: 2e-7 m after 0.04 s, 4 m/s at
-// the end of an entry.
+// The rounding of a wall's normal was enough to make pressed water buckle out of its plane: 2e-7 m after 0.04 s, 4 m/s
+// at the end of an entry.
 TEST(Bodies, LeaveTheWaterOfTwoDimensionsInItsPlane) {
     const SimulationSetup s = entry(1);
     Simulation entering(s, water(s));
@@ -356,8 +356,8 @@ TEST(Bodies, ThatSinkToTheFloorEndInAContact) {
 }
 
 /// Shut in with air under pressure a body floats as under a void: what the gas presses on it from above, here a seventh
-/// of its weight, balances what it adds to the water's pressure from below. It starts where it floats, and heaves by less
-/// than a spacing; by the water's pressure alone it would come up by 0.7 of one.
+/// of its weight, balances what it adds to the water's pressure from below. It starts where it floats, and heaves by
+/// less than a spacing; by the water's pressure alone it would come up by 0.7 of one.
 TEST(Bodies, FloatUnderAirAsArchimedesSays) {
     const double dp = 0.02, height = 0.2, density = 500, of_air = 1.2;
     const double draft = height * (density - of_air) / (1000 - of_air);

@@ -60,8 +60,8 @@ TEST(BodyOnFloor, SlidesWhereGravityLeansBeyondTheAngleOfFriction) {
     }
 }
 
-/// In still water of depth d a block rises that weighs less than the water it displaces, though no particle fits under it
-/// at the start.
+/// In still water of depth d a block rises that weighs less than the water it displaces, though no particle fits under
+/// it at the start.
 TEST(BodyOnFloor, IsLiftedByWaterThatIsDeepEnough) {
     const double height = 0.2, depth = 0.15, dp = 0.01;
     SimulationSetup s = tank(dp, 0.4, depth, 0.3, 20);

@@ -43,7 +43,7 @@
 #include "prism.h"
 #include "sph_solver/bodies/dummies.h"
 #include "sph_solver/equations/packing.h"
-#include "sph_solver/equations/water_touch.h"
+#include "sph_solver/equations/water_completeness.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -189,7 +189,7 @@ double step_and_account(Simulation& simulation, Budget& budget, const Dummies& f
     auto wall = wall_of(simulation, p, floor);
 
     const Kernel kernel(h, 2);
-    const double given_back = WaterTouch::of_plane_surface(kernel, s.dp, 2);
+    const double given_back = WaterCompleteness::of_plane_surface(kernel, s.dp, 2);
     std::vector<double> V(n), drho(n), gx(n), gz(n), support_of(n);
     for (std::size_t i = 0; i < n; ++i) V[i] = m / (rho0 + p.drho[i]);
     for (std::size_t i = 0; i < n; ++i) {

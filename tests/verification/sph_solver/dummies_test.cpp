@@ -1,5 +1,5 @@
-// Where the water feels a solid's surface to be, against where it is. The dummies of a body are the quadrature of its part
-// of a kernel's support, so at a place x on the surface
+// Where the water feels a solid's surface to be, against where it is. The dummies of a body are the quadrature of its
+// part of a kernel's support, so at a place x on the surface
 //
 //   e(x) = (sum_k V_k W(x - x_k) - int_solid W(x - x') dx') / int W(s) over the plane through the kernel's middle
 //

@@ -58,8 +58,8 @@ struct ColumnOnRubber {
 
 const ElasticBody& block_of(const Simulation& run) { return dynamic_cast<const ElasticBody&>(run.body(0)); }
 
-/// Released at rest the water swings on the rubber about the compression at which it would rest; the mean is weighted by
-/// a bell over the run, which a swing of many periods leaves alone.
+/// Released at rest the water swings on the rubber about the compression at which it would rest; the mean is weighted
+/// by a bell over the run, which a swing of many periods leaves alone.
 TEST(ElasticSolid, WaterOnRubberCompressesItAsTheFormula) {
     double error[2];
     for (int k = 0; k < 2; ++k) {

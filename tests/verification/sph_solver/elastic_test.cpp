@@ -123,8 +123,8 @@ TEST(Elastic, NeedsTheSchemeWhoseDriftItMeetsInTheMiddle) {
     }
 }
 
-/// By penalty contact it rests on forces between particles and surface alone; how stiff they are moves where it rests, not
-/// how heavy it is.
+/// By penalty contact it rests on forces between particles and surface alone; how stiff they are moves where it rests,
+/// not how heavy it is.
 TEST(Elastic, APenaltyContactBearsTheWaterWhateverItsStiffness) {
     const ColumnOnPlate column{0.01};
     using Law = PenaltyContact::Law;

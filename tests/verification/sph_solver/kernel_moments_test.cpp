@@ -22,7 +22,7 @@
 #include "base/vec3.h"
 #include "sph_solver/equations/kernel.h"
 #include "sph_solver/neighbours/columns.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace kernel_moments_test {
@@ -45,25 +45,25 @@ bool interior(const Vec3& x, double h) {
     return std::min(x.x(), x.z()) > 2 * h + dp && std::max(x.x(), x.z()) < n * dp - 2 * h - dp;
 }
 
-/// What the engine's first sweep makes of particles with the density deviation f, in the order of `places`.
-struct Sweep {
+/// What the engine's first pair loop makes of particles with the density deviation f, in the order of `places`.
+struct PairLoop {
     std::vector<Vec3> places;
     std::vector<GradientPressureRecord> stress;
     std::vector<ShiftSupportRecord> shift;
 };
 template <class Field>
-Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
+PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     const double h = h_over_dp * dp;
-    const Quanta quanta(Vec3::Zero(), dp / (1 << 18));
+    const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
     const Box area{Vec3(-dp, -dp, -dp), Vec3::Constant(n * dp + dp)};
-    const ColumnGrid grid(area, dp, 2, quanta, passes().lanes);
+    const ColumnGrid grid(area, dp, 2, fixed_point, passes().lanes);
     const Kernel kernel(h, 2);
     std::vector<WidePlace> raw;
     std::vector<PlaceRecord> sorted;
-    for (const Vec3& x : unsorted) raw.push_back(quanta.wide(Vec3(x.x(), 0, x.z())));
+    for (const Vec3& x : unsorted) raw.push_back(fixed_point.wide(Vec3(x.x(), 0, x.z())));
     std::vector<std::int32_t> order, start;
     sort_by_column(grid, raw, order, start);
-    Sweep r;
+    PairLoop r;
     std::vector<VelocityDensityRecord> motion;
     for (const std::int32_t k : order) {
         const Vec3& x = unsorted[static_cast<std::size_t>(k)];
@@ -75,20 +75,20 @@ Sweep sweep(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     const Source source{&grid, sorted.data(), &start, 0};
     make_groups(source, passes().lanes, groups);
     NeighbourLists lists;
-    lists.build(passes(), quanta, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+    lists.build(passes(), fixed_point, source, groups, {source}, {2 * h, 2 * h, 2 * h});
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());
-    const FirstSweepData d{.water = {.list = lists.view(),
-                                     .place = sorted.data(),
-                                     .motion = motion.data(),
-                                     .kernel = kernel,
-                                     .quantum = static_cast<float>(quanta.size),
-                                     .two_dimensional = true},
-                           .stress = r.stress.data(),
-                           .shift = r.shift.data(),
-                           .rate = rate.data(),
-                           .inv_W_dp = static_cast<float>(1 / kernel.W(dp))};
+    const FirstPairLoopData d{.water = {.list = lists.view(),
+                                        .place = sorted.data(),
+                                        .motion = motion.data(),
+                                        .kernel = kernel,
+                                        .quantum = static_cast<float>(fixed_point.size),
+                                        .two_dimensional = true},
+                              .stress = r.stress.data(),
+                              .shift = r.shift.data(),
+                              .rate = rate.data(),
+                              .inv_W_dp = static_cast<float>(1 / kernel.W(dp))};
     passes().run(d, groups.data(), static_cast<int>(groups.size()));
     return r;
 }
@@ -101,7 +101,7 @@ struct Moments {
 Moments moments_of(double h_over_dp, double jitter) {
     const double h = h_over_dp * dp;
     const Kernel kernel(h, 2);
-    const Sweep s = sweep(patch(jitter), h_over_dp, [](const Vec3&) { return 0.0; });
+    const PairLoop s = pair_loop(patch(jitter), h_over_dp, [](const Vec3&) { return 0.0; });
     Moments m;
     double count = 0;
     for (std::size_t i = 0; i < s.places.size(); ++i) {
@@ -157,7 +157,7 @@ TEST(RenormalisedGradient, IsExactForLinearFieldsOnJitteredParticlesUpToTheFreeS
     std::printf("  h/dp  jitter  largest error of the gradient of a linear field\n");
     for (const double ratio : {1.5, 2.0, 3.0})
         for (const double jitter : {0.0, 0.2, 0.4}) {
-            const Sweep s = sweep(patch(jitter), ratio, linear);
+            const PairLoop s = pair_loop(patch(jitter), ratio, linear);
             double error = 0;
             for (const GradientPressureRecord& g : s.stress)
                 error = std::max(error, std::hypot(g.gx - 3.0, g.gz + 2.0));
@@ -175,7 +175,7 @@ TEST(RenormalisedGradient, OfAQuadraticFieldIsExactInALatticeAndOffByAboutHAtIts
         const double h = ratio * dp;
         double inside[2] = {}, edge = 0;
         for (const bool jitter : {false, true}) {
-            const Sweep s = sweep(patch(jitter ? 0.2 : 0), ratio, [](const Vec3& x) { return x.squaredNorm(); });
+            const PairLoop s = pair_loop(patch(jitter ? 0.2 : 0), ratio, [](const Vec3& x) { return x.squaredNorm(); });
             for (std::size_t i = 0; i < s.places.size(); ++i) {
                 const double error =
                     std::hypot(s.stress[i].gx - 2 * s.places[i].x(), s.stress[i].gz - 2 * s.places[i].z()) / h;

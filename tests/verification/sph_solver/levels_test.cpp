@@ -29,7 +29,7 @@ Simulation weightless(SimulationSetup s) {
 }
 
 // A uniform stream keeps its velocity and pressure through three sizes of particles, and nothing is lost: the lattice
-// of the children is the fine lattice, and linear fields are interpolated exactly.
+// of the daughters is the fine lattice, and linear fields are interpolated exactly.
 TEST(LevelEdge, AUniformStreamCrossesItUnchanged) {
     SimulationSetup s;
     s.dp = 0.01;
@@ -53,7 +53,7 @@ TEST(LevelEdge, AUniformStreamCrossesItUnchanged) {
         EXPECT_LT(pressure, 1e-4);  // of rho U^2; found 1e-5
     }
     for (const Refinement& edge : simulation.refinements()) {
-        EXPECT_GT(edge.ledger().births, 3000);
+        EXPECT_GT(edge.ledger().splits, 3000);
         EXPECT_EQ(edge.ledger().orphans, 0);
         const Box& zone = edge.zone().boxes().front();
         const double column = edge.coarse().setup().dp * zone.size().z();  // it has crossed the edge in one level first
@@ -185,8 +185,8 @@ TEST(LevelEdge, AWaveCrossesItAsItCrossesWaterOfOneSize) {
 }
 
 // Water whose kernel sums are smaller takes a larger pressure gradient to carry itself: where one size has fewer
-// particles to a volume than the other it sinks between the other's. While guards spread outwards the fine particles'
-// rms was 0.018; one size is at 0.002 to 0.004 from the giving way of its lattice.
+// particles to a volume than the other it sinks between the other's. While buffer particles spread outwards the fine
+// particles' rms was 0.018; one size is at 0.002 to 0.004 from the giving way of its lattice.
 TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     SimulationSetup s;
     s.dimensions = 2;
@@ -247,7 +247,7 @@ struct Swing {
     double mean_drift = 0, largest_mean = 0;  ///< of the mean over a period, the last and the largest
     double gathered = 0;                      ///< coarse particles under the zone above their number at the start
     double shortfall = 0;                     ///< of the mean velocity behind U sin(omega t), largest, over U
-    std::int64_t births = 0, most_orphans = 0;
+    std::int64_t splits = 0, most_orphans = 0;
 };
 
 /// Water between slip walls, periodic along x, that a uniform force rho U omega cos(omega t) swings to and fro across
@@ -298,26 +298,26 @@ Swing swing(int periods, double vortices) {
         const double mean = std::accumulate(u.begin(), u.end(), 0.0) / double(u.size());
         r.shortfall = std::max(r.shortfall, std::abs(mean - impulse) / U);
     }
-    r.births = edge.ledger().births;
+    r.splits = edge.ledger().splits;
     r.gathered = under() / under_at_start - 1;
     return r;
 }
 
-// A zone is to keep its mass in a flow that turns round between the places where children are born and where they die:
-// 0.5 % are asked for. It does not: what comes back is not quite what went. While nothing but the fine level's velocities
-// told the carried particles where to go, they gathered under the zone (4 % in 30 periods, 10 % in 60), the water outside
-// thinned, and the zone with it: 16 to 26 % in a hundred.
+// A zone is to keep its mass in a flow that turns round between the places where daughters are born and where they die:
+// 0.5 % are asked for. It does not: what comes back is not quite what went. While nothing but the fine level's
+// velocities told the carried particles where to go, they gathered under the zone (4 % in 30 periods, 10 % in 60), the
+// water outside thinned, and the zone with it: 16 to 26 % in a hundred.
 TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
     const Swing r = swing(30, 0.1);
     std::printf(
         "30 swings across an edge: mass of the zone %+.1f %% in the last, %.1f %% in a swing's mean and %.1f %% at an "
         "instant at most; coarse particles under it %+.1f %%; mean velocity off by %.3f U; %ld births, %ld orphans at "
         "once at most\n",
-        100 * r.mean_drift, 100 * r.largest_mean, 100 * r.largest_drift, 100 * r.gathered, r.shortfall, long(r.births),
+        100 * r.mean_drift, 100 * r.largest_mean, 100 * r.largest_drift, 100 * r.gathered, r.shortfall, long(r.splits),
         long(r.most_orphans));
-    EXPECT_GT(r.births, 10000);
+    EXPECT_GT(r.splits, 10000);
     EXPECT_LT(std::abs(r.gathered), 0.03);
-    EXPECT_LT(r.largest_mean, 0.025);  // 3.1 % while parents that had been 4.1 to 4.5 dp away kept lost children lost
+    EXPECT_LT(r.largest_mean, 0.025);  // 3.1 % while parents that had been 4.1 to 4.5 dp away kept lost daughters lost
     EXPECT_LT(r.most_orphans, 30);
     EXPECT_LT(r.shortfall, 0.1);
 }
@@ -330,7 +330,7 @@ TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
     for (const double vortices : {0.1, 0.3}) {
         const Swing r = swing(100, vortices);
         std::printf("%8.1f   %+.2f  %.2f  %.2f   %.3f   %ld\n", vortices, 100 * r.mean_drift, 100 * r.largest_mean,
-                    100 * r.largest_drift, r.shortfall, long(r.births));
+                    100 * r.largest_drift, r.shortfall, long(r.splits));
     }
 }
 
@@ -339,8 +339,8 @@ struct Vortex {
     double x = 0, z = 0;  ///< centre of that energy [m]
 };
 
-/// A vortex without circulation, u_theta = 0.3 U (r / R) exp((1 - r^2 / R^2) / 2), R = 0.08 m, that a stream of U = 1 m/s
-/// carries from x = 0.4 to 1.2 m, right through the zone where there is one.
+/// A vortex without circulation, u_theta = 0.3 U (r / R) exp((1 - r^2 / R^2) / 2), R = 0.08 m, that a stream of U = 1
+/// m/s carries from x = 0.4 to 1.2 m, right through the zone where there is one.
 Vortex carried_vortex(double dp, std::vector<Zone> zones) {
     constexpr double U = 1, R = 0.08;
     SimulationSetup s;
@@ -379,9 +379,9 @@ Vortex carried_vortex(double dp, std::vector<Zone> zones) {
     return v;
 }
 
-// A vortex that goes in at one edge and out at the other keeps its way. The interpolation smooths it at each edge: waves
-// of number k lose 0.133 (k h)^2 of their amplitude, h = 1.2 spacings of the side that lends. With h = 1.5 the energy
-// left of a vortex whose radius is four coarse spacings was 0.75.
+// A vortex that goes in at one edge and out at the other keeps its way. The interpolation smooths it at each edge:
+// waves of number k lose 0.133 (k h)^2 of their amplitude, h = 1.2 spacings of the side that lends. With h = 1.5 the
+// energy left of a vortex whose radius is four coarse spacings was 0.75.
 TEST(LevelEdge, AVortexIsCarriedThroughAZone) {
     const Vortex coarse = carried_vortex(0.02, {}), fine = carried_vortex(0.01, {}),
                  both = carried_vortex(0.01, {zone_between(0.6, 1, 0.2, 0.6)});

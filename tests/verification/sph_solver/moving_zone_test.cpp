@@ -26,11 +26,11 @@ struct Stirred {
     double rms = 0;      ///< velocity of the fine particles over sqrt(g H), in the second half
     double fastest = 0;  ///< particle of any size at any time, over sqrt(g H)
     double surplus = 0;  ///< of the zone's mass
-    std::int64_t births = 0, orphans = 0;
+    std::int64_t splits = 0, orphans = 0;
 };
 
-/// 1.6 s of still water, 0.8 m deep, with a box of finer particles 0.2 m below its surface and above its floor that goes
-/// 0.8 m to the side at 0.5 m/s.
+/// 1.6 s of still water, 0.8 m deep, with a box of finer particles 0.2 m below its surface and above its floor that
+/// goes 0.8 m to the side at 0.5 m/s.
 Stirred still_water() {
     const double dp = 0.01, depth = 0.8, way = 0.8, speed = 0.5;
     SimulationSetup s = tank(dp, 0.8, depth, 0.2, 10 * std::sqrt(9.81 * depth));
@@ -54,7 +54,7 @@ Stirred still_water() {
     const double wave_speed = std::sqrt(9.81 * depth);
     r.rms = std::sqrt(squares / times) / wave_speed, r.fastest /= wave_speed;
     const Refinement& edge = simulation.refinements()[0];
-    r.surplus = edge.surplus() / (s.rho0 * 0.4 * 0.4), r.births = edge.ledger().births;
+    r.surplus = edge.surplus() / (s.rho0 * 0.4 * 0.4), r.splits = edge.ledger().splits;
     r.orphans = edge.ledger().orphans;
     return r;
 }
@@ -65,11 +65,11 @@ TEST(MovingZone, ThroughStillWaterMovesNoMoreThanAZoneThatStands) {
     std::printf(
         "still water over sqrt(g H): fine particles' rms %.4f, fastest of all %.4f; surplus of the zone's mass "
         "%+.4f; %lld births\n",
-        r.rms, r.fastest, r.surplus, static_cast<long long>(r.births));
+        r.rms, r.fastest, r.surplus, static_cast<long long>(r.splits));
     EXPECT_LT(r.rms, 0.018);
     EXPECT_LT(std::abs(r.surplus), 0.03);
     EXPECT_LE(r.orphans, 2);  // a coarse particle at a corner of the zone sees a quarter of the fine water
-    EXPECT_GT(r.births, 2 * 40 * 40) << "or the zone has not moved twice its length";
+    EXPECT_GT(r.splits, 2 * 40 * 40) << "or the zone has not moved twice its length";
 }
 
 /// A cylinder of 1000 kg/m3 at 2.955 m/s on the surface; sizes of particles: one or three.
@@ -153,7 +153,7 @@ TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
     PointSamples here{{Vec3(0.3, 0, -0.3), Vec3(0.08, 0, -0.1)}, false, {}, {}, {}}, there = here;
     whole.sample(here), resumed.sample(there);
     EXPECT_EQ(here.p, there.p);
-    EXPECT_GT(whole.refinements()[1].ledger().births, 0);
+    EXPECT_GT(whole.refinements()[1].ledger().splits, 0);
     std::filesystem::remove(file);
 }
 

@@ -38,7 +38,7 @@ TEST(OtherCode, FindsTheSameAccelerationsAndDensityDiffusion) {
         p.u[i] = static_cast<float>(rows[i][3]), p.v[i] = static_cast<float>(rows[i][4]);
         p.w[i] = static_cast<float>(rows[i][5]), p.drho[i] = static_cast<float>(rows[i][6]);
     }
-    simulation.step();  // its first sweep changes no density yet, and its second makes the velocities
+    simulation.step();  // its first pair loop changes no density yet, and its second makes the velocities
     const double dt = simulation.time();
     const auto near_a_corner = [](const Row& row) {
         const auto off = [&](std::size_t a, double length) { return std::min(row[a], length - row[a]); };

@@ -1,6 +1,6 @@
-// The pressure with which a column of water begins that is let go at one side and on top: 0.15 m wide, 0.3 m high, in the
-// corner of a tank. Exact (laplace p = 0; dp/dx = 0 at the wall x = 0, dp/dz = -rho g at the floor, p = 0 at the free
-// side x = L and the top z = H):
+// The pressure with which a column of water begins that is let go at one side and on top: 0.15 m wide, 0.3 m high, in
+// the corner of a tank. Exact (laplace p = 0; dp/dx = 0 at the wall x = 0, dp/dz = -rho g at the floor, p = 0 at the
+// free side x = L and the top z = H):
 //
 //   p = rho g sum_n 2 (-1)^n / (L k_n^2) cos(k_n x) sinh(k_n (H - z)) / cosh(k_n H),   k_n = (n + 1/2) pi / L
 #include "sph_solver/start_pressure.h"
@@ -75,8 +75,8 @@ TEST(ReleasePressure, InThreeDimensionsBetweenWallsIsTheSame) {
     EXPECT_LT(largest_error(fluid), 0.005);
 }
 
-// Behind a plate that reaches over it the water is held: hydrostatic, whatever stands beside it; and water whose free faces
-// look up is left as it was, to the last bit.
+// Behind a plate that reaches over it the water is held: hydrostatic, whatever stands beside it; and water whose free
+// faces look up is left as it was, to the last bit.
 TEST(ReleasePressure, IsHydrostaticWhereWaterIsHeld) {
     SimulationSetup s = tank(0.01);
     Surface plate = make_hull("box", {{"length", 0.03}, {"beam", 1.0}, {"height", 0.6}});

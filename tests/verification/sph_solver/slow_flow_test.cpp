@@ -42,8 +42,8 @@ Drag mean_drag(const RunRecord& record, double from) {
     return {sum.force / time - 1000 * 9.81 * pi * 1e-4, sum.friction / time};
 }
 
-/// Faxén's drag of a cylinder in the middle between two walls (Happel & Brenner, Low Reynolds Number Hydrodynamics, 1965,
-/// ch. 7), per metre:
+/// Faxén's drag of a cylinder in the middle between two walls (Happel & Brenner, Low Reynolds Number Hydrodynamics,
+/// 1965, ch. 7), per metre:
 ///   F = 4 pi mu U / (ln k - 0.9157 + 1.724/k^2 - 1.730/k^4),   k = W/D
 double faxen(double mu, double U, double k) {
     return 4 * pi * mu * U / (std::log(k) - 0.9157 + 1.724 / (k * k) - 1.730 / std::pow(k, 4));

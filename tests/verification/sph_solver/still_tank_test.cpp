@@ -74,8 +74,8 @@ TEST(StillTank, StaysAtRestForFortySeconds) {
     }
 }
 
-/// Root mean square of p + rho g z over rho g H of all particles, the largest of the first second: a tank of 0.92 m with
-/// 0.295 m of water, which no spacing here divides.
+/// Root mean square of p + rho g z over rho g H of all particles, the largest of the first second: a tank of 0.92 m
+/// with 0.295 m of water, which no spacing here divides.
 double largest_deviation(double dp) {
     constexpr double length = 0.92, depth = 0.295, g = 9.81;
     SimulationSetup s;
@@ -98,9 +98,9 @@ double largest_deviation(double dp) {
     return most;
 }
 
-// Before water was made to fit, columns of particles stood a third of a spacing off the far wall, and the tank rang: the
-// pressure at its wall swung from 51 to 8216 Pa where 2894 is right. What is left, 2.1 %, is the same in a tank that the
-// spacing divides: water of c0 = 10 sqrt(g H) is 1 % denser at its floor and sinks until it is.
+// Before water was made to fit, columns of particles stood a third of a spacing off the far wall, and the tank rang:
+// the pressure at its wall swung from 51 to 8216 Pa where 2894 is right. What is left, 2.1 %, is the same in a tank
+// that the spacing divides: water of c0 = 10 sqrt(g H) is 1 % denser at its floor and sinks until it is.
 TEST(StillTank, OfAnyWidthAndDepthIsAsStillAsOneThatTheSpacingDivides) {
     for (const double dp : {0.015, 0.0212, 0.0106}) {
         const double rms = largest_deviation(dp);

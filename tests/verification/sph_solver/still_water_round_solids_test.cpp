@@ -1,9 +1,9 @@
 // Water at rest round solids whose faces do not fit the particles' lattice: it keeps its volume, its particles stand as
 // their densities say, and it presses as Archimedes has it. Two dimensions.
 //
-// Exact: nothing moves. The level follows from the particles' volume: of n particles of mass m round a solid of the area A
-// in a tank of the length L they fill V = n m / rho0 less what the pressure takes, rho g times the second moment of the
-// depths over rho0 c0^2, and stand (V + A) / L high. The force on the solid is rho g A.
+// Exact: nothing moves. The level follows from the particles' volume: of n particles of mass m round a solid of the
+// area A in a tank of the length L they fill V = n m / rho0 less what the pressure takes, rho g times the second moment
+// of the depths over rho0 c0^2, and stand (V + A) / L high. The force on the solid is rho g A.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct Solid {
         return twice / 2;
     }
 };
-/// A plate two spacings thick at 35 degrees, a body with an inner corner that looks up, and a box of whose faces three go
-/// through places of the lattice.
+/// A plate two spacings thick at 35 degrees, a body with an inner corner that looks up, and a box of whose faces three
+/// go through places of the lattice.
 const Solid plate{"inclined plate", {{-0.2052, -0.427}, {0.1224, -0.1976}, {0.1052, -0.173}, {-0.2224, -0.4024}}};
 const Solid hook{"body with an inner corner",
                  {{-0.0148, -0.4287},

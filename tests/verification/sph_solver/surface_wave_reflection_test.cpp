@@ -1,9 +1,9 @@
-// What the edge between two sizes of particles, or a forcing zone before a wall, throws back of a gravity wave that runs
-// under a free surface. Two dimensions, water of depth H = lambda / 2, still surface at z = 0, the edge at x = 0 through
-// the whole depth, or the zone from there to the wall.
+// What the edge between two sizes of particles, or a forcing zone before a wall, throws back of a gravity wave that
+// runs under a free surface. Two dimensions, water of depth H = lambda / 2, still surface at z = 0, the edge at x = 0
+// through the whole depth, or the zone from there to the wall.
 //
-// A packet of progressive waves of linear theory (Lamb, Hydrodynamics, 6th ed. 1932, art. 228-229, 236), with
-// C = cosh k(z + H) / cosh kH, S = sinh k(z + H) / cosh kH, omega^2 = g k tanh kH, theta = k (x - x0) - omega t:
+// A packet of progressive waves of linear theory (Lamb, Hydrodynamics, 6th ed. 1932, art. 228-229, 236), with C = cosh
+// k(z + H) / cosh kH, S = sinh k(z + H) / cosh kH, omega^2 = g k tanh kH, theta = k (x - x0) - omega t:
 //
 //   eta = sum_k a_k cos theta,                            a_k ~ exp(-(k - k0)^2 (3 lambda / 4)^2 / 2)
 //   u = sum (g k / omega) a_k C cos theta,                w = sum (g k / omega) a_k S sin theta
@@ -216,11 +216,11 @@ TEST(SurfaceWaveReflection, OfAWaveOfFortySpacings) {
     EXPECT_GT(rms(r.of_packet.forth), 0.2);  // and the packet has come through
 }
 
-/// A packet of waves of 30 spacings runs into a zone: what comes back over what the wall alone throws back, so that what
-/// the particles take from every wave on its way falls out.
-// Linear theory in two dimensions, deep water: 0.6 % for a zone of one wave length and 1.5 omega, 15 % for 5.3 omega over
-// 0.55 wave lengths (docs/decisions/082-zones-and-ends.md). Found: 3.6 %; waves in particles without any edge throw 1.9 %
-// of themselves back, see above.
+/// A packet of waves of 30 spacings runs into a zone: what comes back over what the wall alone throws back, so that
+/// what the particles take from every wave on its way falls out.
+// Linear theory in two dimensions, deep water: 0.6 % for a zone of one wave length and 1.5 omega, 15 % for 5.3 omega
+// over 0.55 wave lengths (docs/decisions/082-zones-and-ends.md). Found: 3.6 %; waves in particles without any edge
+// throw 1.9 % of themselves back, see above.
 TEST(SurfaceWaveReflection, OfAForcingZoneOfOneWaveLength) {
     const auto back = [](const Beach& beach, double sign) {
         return cross(Sizes::all_coarse, {.length = 30, .steepness = 0.2, .beach = beach}, sign).back;

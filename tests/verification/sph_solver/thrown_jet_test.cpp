@@ -1,5 +1,6 @@
-// A jet of known thickness and speed that flies as a parabola, and the splash height that the report gives of it. A slab
-// of water of depth H and speed U runs up a ramp of angle alpha and length l, whose edge it leaves (studies/thrown_jet.toml).
+// A jet of known thickness and speed that flies as a parabola, and the splash height that the report gives of it. A
+// slab of water of depth H and speed U runs up a ramp of angle alpha and length l, whose edge it leaves
+// (studies/thrown_jet.toml).
 //
 //   q = U H, E = U^2/2 + g H; at the edge, z_e = l sin(alpha) high:   V^2 = 2 (E - g (z_e + h cos(alpha))), h = q / V
 //   along the ramp           u_s = V + g_n h / (2 V),   g_n = g cos(alpha)       (its pressure becomes speed)
@@ -9,7 +10,8 @@
 //                            xi = sqrt(t / (b - t)), xi_1 = 1 / sqrt(b - 1)
 //   apex                     u_x = u_s cos(alpha) - u_n sin(alpha) stays;  top = (E - u_x^2/2) / g + q / (2 u_x)
 //
-// Heights above the floor. Free streamlines: docs/theory.md. The neglected part is of the order of (g H / U^2)^2, 0.1 %.
+// Heights above the floor. Free streamlines: docs/theory.md. The neglected part is of the order of (g H / U^2)^2, 0.1
+// %.
 #include <gtest/gtest.h>
 
 #include <cmath>

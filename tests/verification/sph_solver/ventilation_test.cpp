@@ -1,7 +1,7 @@
-// Water that leaves a curved wall (effects/ventilation.h). A weightless slab of water 2 H wide meets a cylinder of radius
-// b = H / 2 at the speed V: free-streamline theory with smooth separation (Levi-Civita's series; closed form of momentum
-// and integral of pressure agree to 1e-12) gives the drag 4488.3 N/m at b = 0.1 m, 10 m/s and 1000 kg/m3 in the limit of
-// a long slab.
+// Water that leaves a curved wall (effects/ventilation.h). A weightless slab of water 2 H wide meets a cylinder of
+// radius b = H / 2 at the speed V: free-streamline theory with smooth separation (Levi-Civita's series; closed form of
+// momentum and integral of pressure agree to 1e-12) gives the drag 4488.3 N/m at b = 0.1 m, 10 m/s and 1000 kg/m3 in
+// the limit of a long slab.
 #include "sph_solver/effects/ventilation.h"
 
 #include <gtest/gtest.h>
@@ -89,8 +89,8 @@ TEST(Ventilation, WaterLeavesACylinderInAFreeJetSmoothly) {
     EXPECT_GT(let_go.lowest, -0.02) << "the water comes apart";
 }
 
-/// A film delta thick lies on a sixth of a circle of radius R and runs along it at U. Without suction it goes straight on
-/// and leaves the wall at once, wherever it is; held, it presses with -rho U^2 delta / R. Air is at its ends alone.
+/// A film delta thick lies on a sixth of a circle of radius R and runs along it at U. Without suction it goes straight
+/// on and leaves the wall at once, wherever it is; held, it presses with -rho U^2 delta / R. Air is at its ends alone.
 struct RoundFilm {
     double force = 0;  ///< of suction, mean from 0.02 to 0.2 R / U, over rho U^2 delta [-]
 };

@@ -1,11 +1,11 @@
 #pragma once
-// How the sweeps run on a processor: a group's particles stand in the lanes of a vector (simd.h), and a thread goes over
-// the groups one after another. Part of sweep.h.
+// How the pair loops run on a processor: a group's particles stand in the lanes of a vector (simd.h), and a thread goes
+// over the groups one after another. Part of pair_loop.h.
 //
 // TW_SLICES = 4 shares the neighbours out among four sums, which are added at the end, as a device does that lets 32
 // threads work on a group of eight (in_threads.h): the same numbers to the last bit, without the device.
-#include "sph_solver/sweeps/simd.h"
-#include "sph_solver/sweeps/sweep_parts.h"
+#include "sph_solver/pair_loops/pair_loop_parts.h"
+#include "sph_solver/pair_loops/simd.h"
 
 #ifndef TW_SLICES
 #define TW_SLICES 1
@@ -146,7 +146,7 @@ template <class Body, class Which>
     }
 }
 
-/// A sweep, or another sum over neighbours, once for each slice.
+/// A pair loop, or another sum over neighbours, once for each slice.
 template <class Sum>
 class Slices {
 public:

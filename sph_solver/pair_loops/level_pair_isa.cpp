@@ -1,12 +1,12 @@
-// The sweeps across the contact of two fluids, once per variant.
-#include "sph_solver/sweeps/level_pair_views.h"
+// The pair loops across the contact of two fluids, once per variant.
+#include "sph_solver/pair_loops/level_pair_views.h"
 
 #include "sph_solver/equations/artificial_viscosity.h"
 #include "sph_solver/equations/continuity.h"
 #include "sph_solver/equations/level_pair.h"
 #include "sph_solver/equations/pressure_gradient.h"
 #include "sph_solver/equations/shifting.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {

@@ -1,9 +1,9 @@
 #pragma once
-// The loop over groups and their neighbours, once for all sweeps, for files that are compiled once per variant (TW_ISA
-// names it). Everything here has internal linkage and calls no inline function of the standard library: the linker
-// would be free to keep one file's AVX-512 copy for the whole program.
+// The loop over groups and their neighbours, once for all pair loops, for files that are compiled once per variant
+// (TW_ISA names it). Everything here has internal linkage and calls no inline function of the standard library: the
+// linker would be free to keep one file's AVX-512 copy for the whole program.
 //
-// A sweep is a struct that holds the sums of one group and reads like the right-hand side of an equation:
+// A pair loop is a struct that holds the sums of one group and reads like the right-hand side of an equation:
 //
 //   struct StrainRate {
 //       StrainRate(const StrainRateData& d, const Own& i);    loads what the group's own particles bring
@@ -12,7 +12,7 @@
 //   };
 //   template <> void pass(const StrainRateData& d, const Group* g, int n) { run<StrainRate>(d, g, n); }
 //
-// What else a sweep may have, in the order of the calls, see `run`:
+// What else a pair loop may have, in the order of the calls, see `run`:
 //
 //   ListRef list(const Group& g) const;                       another list than the group's whole one
 //   void meet_at_surface(const Met& ij);                      the neighbours at the free surface, once more
@@ -26,17 +26,17 @@
 // The order of operations is part of the results: products are fused with sums in the order in which they stand.
 #include "sph_solver/equations/pair.h"
 #include "sph_solver/equations/tension_control.h"
-#include "sph_solver/sweeps/passes.h"
+#include "sph_solver/pair_loops/passes.h"
 #ifdef TW_THREADS
-#include "sph_solver/sweeps/in_threads.h"
+#include "sph_solver/pair_loops/in_threads.h"
 #else
-#include "sph_solver/sweeps/in_lanes.h"
+#include "sph_solver/pair_loops/in_lanes.h"
 #endif
 
 namespace tw {
 namespace TW_ISA {
 
-/// The sweep of a view; specialised beside each sweep.
+/// The pair loop of a view; specialised beside each pair loop.
 template <class View>
 void pass(const View&, const Group*, int count);
 
@@ -70,8 +70,8 @@ inline WallLoad load_of(const WaterView& d, const Own& own, const V3<Real>& a, s
     return {sum(a.x), sum(a.y), sum(a.z), sum(m.x), sum(m.y), sum(m.z), body};
 }
 
-/// A group's list for sums that only its particles' rates want: empty where none of them follows the equations. Guards,
-/// carried particles and those of inlet and outlet are a quarter to a half of all beside a hull.
+/// A group's list for sums that only its particles' rates want: empty where none of them follows the equations. Buffer
+/// particles, carried particles and those of inlet and outlet are a quarter to a half of all beside a hull.
 inline ListRef list_for_rates(const WaterView& d, const Group& g) {
     bool moved = d.kind == nullptr;
     for (int l = 0; l < g.size && !moved; ++l) moved = follows_the_equations(d.kind[g.first + l]);
@@ -109,7 +109,7 @@ struct Meeting {
 
 /// Lets every group meet its neighbours. All that is called in it is inlined: sums stay in registers, and do not depend
 /// on the compiler's mood.
-template <class Sweep, class Data>
+template <class PairLoop, class Data>
 [[gnu::flatten]] void run(const Data& d, const Group* groups, int count) {
     const Frame frame = frame_of(d.water.kernel, d.water.quantum);
     const Meeting meeting(d);
@@ -122,30 +122,32 @@ template <class Sweep, class Data>
         const auto at_walls = [&](const WallView& walls, const ListRef& list, auto&& meet) {
             for_each_neighbour(walls.place, walls.list, list, own, frame, meet, Live{});
         };
-        Slices<Sweep> sweep(d, own);
+        Slices<PairLoop> pair_loop(d, own);
         ListRef list = g.list;
-        if constexpr (requires { sweep[0].list(g); }) list = sweep[0].list(g);
+        if constexpr (requires { pair_loop[0].list(g); }) list = pair_loop[0].list(g);
         in_water(
-            list, [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet(j, ij); }, Live{});
-        if constexpr (requires(const Met& ij) { sweep[0].meet_at_surface(ij); })
+            list, [&](int slice, std::int32_t j, const Met& ij) { pair_loop[slice].meet(j, ij); }, Live{});
+        if constexpr (requires(const Met& ij) { pair_loop[0].meet_at_surface(ij); })
             in_water(
-                g.list, [&](int slice, std::int32_t, const Met& ij) { sweep[slice].meet_at_surface(ij); },
+                g.list, [&](int slice, std::int32_t, const Met& ij) { pair_loop[slice].meet_at_surface(ij); },
                 AtSurface{d.water.surface});
-        if constexpr (requires { sweep[0].reach_walls(own); })
-            if (g.wall_list.size > 0) sweep.each([&](Sweep& s) { s.reach_walls(own); });
-        if constexpr (requires(const Met& ij) { sweep[0].meet_beside_wall(ij); })
+        if constexpr (requires { pair_loop[0].reach_walls(own); })
+            if (g.wall_list.size > 0) pair_loop.each([&](PairLoop& s) { s.reach_walls(own); });
+        if constexpr (requires(const Met& ij) { pair_loop[0].meet_beside_wall(ij); })
             if (g.wall_list.size > 0)
                 in_water(
-                    g.list, [&](int slice, std::int32_t, const Met& ij) { sweep[slice].meet_beside_wall(ij); }, Live{});
-        if constexpr (requires(const Met& ij) { sweep[0].meet_wall(0, ij); })
+                    g.list, [&](int slice, std::int32_t, const Met& ij) { pair_loop[slice].meet_beside_wall(ij); },
+                    Live{});
+        if constexpr (requires(const Met& ij) { pair_loop[0].meet_wall(0, ij); })
             at_walls(d.walls, g.wall_list,
-                     [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet_wall(j, ij); });
-        Sweep& all = sweep.gathered();
-        if constexpr (requires { &Sweep::push; })
+                     [&](int slice, std::int32_t j, const Met& ij) { pair_loop[slice].meet_wall(j, ij); });
+        PairLoop& all = pair_loop.gathered();
+        if constexpr (requires { &PairLoop::push; })
             for_each_body(d.walls, g, [&](const ListRef& part, std::int32_t slot, std::int32_t body) {
-                Slices<typename Sweep::OfBody> by;
-                at_walls(d.walls, part,
-                         [&](int slice, std::int32_t j, const Met& ij) { sweep[slice].meet_wall(j, ij, by[slice]); });
+                Slices<typename PairLoop::OfBody> by;
+                at_walls(d.walls, part, [&](int slice, std::int32_t j, const Met& ij) {
+                    pair_loop[slice].meet_wall(j, ij, by[slice]);
+                });
                 const V3<Real> a = all.push(by.gathered());
                 if (slot < 0) return;
                 const WallLoad load = load_of(d.water, own, a, body);

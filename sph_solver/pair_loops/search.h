@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/sweeps/reach.h"
+#include "sph_solver/pair_loops/reach.h"
 
 // Who is within reach of a group's particles: for lists that are made, and for those that hold already.
 namespace tw {
@@ -56,7 +56,7 @@ template <class Record>
 #endif
 }
 
-/// Squared distance of places from the nearest of the group's particles [quanta^2].
+/// Squared distance of places from the nearest of the group's particles [fixed-point units^2].
 inline Real distance2(const GroupReach& g, const Places& q) {
     const auto from = [](const Ints& a, std::int32_t b) {
         return __builtin_convertvector((Ints)((Words)a - static_cast<std::uint32_t>(b)), Real);

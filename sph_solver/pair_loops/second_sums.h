@@ -5,7 +5,7 @@
 #include "sph_solver/equations/packing.h"
 #include "sph_solver/equations/pressure_gradient.h"
 #include "sph_solver/equations/shifting.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -23,7 +23,7 @@ TW_ALONE void shift_along_surface(const V3<Real>& N, const Own& own, ShiftSuppor
 
 /// The sums of the second pair loop (right_hand_side.h): what the particles bring, and how the sums become rates.
 struct SecondSums {
-    const SecondSweepData& d;
+    const SecondPairLoopData& d;
     const DensityDiffusion density_diffusion;
     const ArtificialViscosity<Math> artificial_viscosity;
     const V3<Real> u_i, grad_i;
@@ -35,7 +35,7 @@ struct SecondSums {
     V3<Real> water{}, towards_surface{}, a_wall{};
     EdgeRelease<Real> edge_release{};
 
-    SecondSums(const SecondSweepData& data, const Own& i)
+    SecondSums(const SecondPairLoopData& data, const Own& i)
         : d(data),
           density_diffusion{0.5f * d.water.kernel.support_length},
           artificial_viscosity{d.viscosity},

@@ -1,18 +1,19 @@
 #pragma once
-// The right-hand side: what is summed in an evaluation of the rates, term by term in the order of the sums, for processor
-// and GPU alike. Formulas and sources: equations/, one header a term, and docs/theory.md. What the sums begin with and how
-// they become results: first_sums.h, second_sums.h. `run` (sweep.h) calls the functions below in the order of this file.
+// The right-hand side: what is summed in an evaluation of the rates, term by term in the order of the sums, for
+// processor and GPU alike. Formulas and sources: equations/, one header a term, and docs/theory.md. What the sums begin
+// with and how they become results: first_sums.h, second_sums.h. `run` (pair_loop.h) calls the functions below in the
+// order of this file.
 //
-//   1  FirstSweep    at (x, u):     -div u, grad rho, Shepard sum, shifting     of another fluid: level_pair_isa.cpp
-//      each particle                rho += dt rho (-div u),  p = p(rho)         loops/after_first_sweep.h
+//   1  FirstPairLoop    at (x, u):     -div u, grad rho, Shepard sum, shifting     of another fluid: level_pair_isa.cpp
+//      each particle                rho += dt rho (-div u),  p = p(rho)         loops/after_first_pair_loop.h
 //      effects change p             in the order of effects/registry.h          effects/: change_pressure
 //   2  Extrapolate   at dummies:    pressure of the walls                       extrapolate.h
-//   3  SecondSweep   at (x, rho):   a = du/dt, D = drho/dt by diffusion         of another fluid: level_pair_isa.cpp
+//   3  SecondPairLoop   at (x, rho):   a = du/dt, D = drho/dt by diffusion         of another fluid: level_pair_isa.cpp
 //      effects add to a             each by a pair loop of its own              effects/: add_rates
 //
-// Level::first_sweep and Level::second_sweep (levels/level.cpp) do these one after the other.
-#include "sph_solver/sweeps/first_sums.h"
-#include "sph_solver/sweeps/second_sums.h"
+// Level::first_pair_loop and Level::second_pair_loop (levels/level.cpp) do these one after the other.
+#include "sph_solver/pair_loops/first_sums.h"
+#include "sph_solver/pair_loops/second_sums.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -20,7 +21,7 @@ namespace {
 
 /// First pair loop. The velocities are those that the last pressure has produced.
 template <bool walls_move>
-struct FirstSweep : FirstSums {
+struct FirstPairLoop : FirstSums {
     using FirstSums::FirstSums;
 
     void meet(std::int32_t j, const Met& ij) {  // a particle in the water, or the image of one
@@ -32,11 +33,13 @@ struct FirstSweep : FirstSums {
         Continuity::add(ij, u_ij, compression);           // continuity
         grad_rho.add(ij, r_j.drho - drho_i);              // density diffusion: its gradient
     }
-    void meet_beside_wall(const Met& ij) { wall_touch.add(ij, n_i, touch); }  // the same ones, of groups near a wall
-    void meet_wall(std::int32_t j, const Met& ij) {                           // a dummy
+    void meet_beside_wall(const Met& ij) {
+        wall_completeness.add(ij, n_i, touch);
+    }                                                // the same ones, of groups near a wall
+    void meet_wall(std::int32_t j, const Met& ij) {  // a dummy
         support += ij.V_W();
         shifting.add(ij, shift);
-        wall_touch.add(ij, n_i, touch);
+        wall_completeness.add(ij, n_i, touch);
         Continuity::add(ij, slip<walls_move>(j), wall_compression);
     }
     void store(const Own& i) {
@@ -51,7 +54,7 @@ struct FirstSweep : FirstSums {
 };
 
 /// Second pair loop. Walls press, and do not rub (slip).
-struct SecondSweep : SecondSums {
+struct SecondPairLoop : SecondSums {
     using SecondSums::SecondSums;
 
     void meet(std::int32_t j, const Met& ij) {  // a particle in the water, or the image of one
@@ -85,15 +88,15 @@ struct SecondSweep : SecondSums {
 }  // namespace
 
 template <>
-void pass(const FirstSweepData& d, const Group* groups, int count) {
+void pass(const FirstPairLoopData& d, const Group* groups, int count) {
     if (d.walls.velocity)
-        run<FirstSweep<true>>(d, groups, count);
+        run<FirstPairLoop<true>>(d, groups, count);
     else
-        run<FirstSweep<false>>(d, groups, count);
+        run<FirstPairLoop<false>>(d, groups, count);
 }
 template <>
-void pass(const SecondSweepData& d, const Group* groups, int count) {
-    run<SecondSweep>(d, groups, count);
+void pass(const SecondPairLoopData& d, const Group* groups, int count) {
+    run<SecondPairLoop>(d, groups, count);
 }
 
 }  // namespace TW_ISA

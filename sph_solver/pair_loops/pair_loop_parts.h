@@ -1,9 +1,9 @@
 #pragma once
-// What a sweep's loops share wherever they run. Part of sweep.h.
+// What a pair loop's loops share wherever they run. Part of pair_loop.h.
 #include <type_traits>
 
 #include "sph_solver/equations/pair.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -33,7 +33,7 @@ struct AtSurface {
     }
 };
 
-/// Calls `f(part)` for every number of a sum of type Real that is made of such, see Sweep::sums.
+/// Calls `f(part)` for every number of a sum of type Real that is made of such, see Pair loop::sums.
 template <class Real, class Sum, class Function>
 void each_part(Sum& sum, Function&& f) {
     if constexpr (std::is_same_v<Sum, Real>)

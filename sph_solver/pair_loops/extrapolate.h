@@ -1,7 +1,7 @@
 #pragma once
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/wall_pressure.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {

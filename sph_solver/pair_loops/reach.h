@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 // How far a place is from a group's particles, see GroupReach.
 namespace tw {
@@ -20,7 +20,8 @@ inline void note_reaches(GroupReach& r, const Group& g, const Reaches& reaches) 
     r.sure2 = static_cast<float>(reaches.sure > 0 ? reaches.sure * reaches.sure : 0);
 }
 
-/// Squared distance from the nearest of the group's particles of a place (x, y, z) from its centre [quanta^2].
+/// Squared distance from the nearest of the group's particles of a place (x, y, z) from its centre [fixed-point
+/// units^2].
 inline Real distance2(const GroupReach& g, const Real& x, const Real& y, const Real& z) {
     Real least = g.n[0] + g.a[0] * x + g.b[0] * y + g.c[0] * z;
     for (int l = 1; l < lanes; ++l) least = simd::min(least, g.n[l] + g.a[l] * x + g.b[l] * y + g.c[l] * z);

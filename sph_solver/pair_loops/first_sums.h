@@ -2,9 +2,9 @@
 #include "sph_solver/equations/continuity.h"
 #include "sph_solver/equations/renormalisation.h"
 #include "sph_solver/equations/shifting.h"
-#include "sph_solver/equations/wall_touch.h"
-#include "sph_solver/equations/water_touch.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/equations/wall_completeness.h"
+#include "sph_solver/equations/water_completeness.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -13,9 +13,9 @@ namespace {
 /// The sums of the first pair loop (right_hand_side.h): what the particles bring, and how the sums become results: the
 /// rate of compression -div u (continuity), renormalised density gradient, Shepard sum and shifting.
 struct FirstSums {
-    const FirstSweepData& d;
+    const FirstPairLoopData& d;
     const Shifting shifting;
-    const WallTouch wall_touch;
+    const WallCompleteness wall_completeness;
     const V3<Real> u_i;
     const Real drho_i;
     Real compression{}, wall_compression{};  ///< -div u, and the walls' part of it [1/s]
@@ -25,10 +25,10 @@ struct FirstSums {
     V3<Real> n_i{}, u_slip{};  ///< of the wall near by
     Real u_n{};
 
-    FirstSums(const FirstSweepData& data, const Own& i)
+    FirstSums(const FirstPairLoopData& data, const Own& i)
         : d(data),
           shifting(d.water.kernel, d.inv_W_dp),
-          wall_touch{d.water.kernel.support_length * d.inv_dp, d.inv_void},
+          wall_completeness{d.water.kernel.support_length * d.inv_dp, d.inv_void},
           u_i(i.velocities(d.water.motion)),
           drho_i(i.each([&](int own) { return d.water.motion[own].drho; })) {}
 
@@ -69,11 +69,12 @@ protected:
     void add_walls(const Own& i) {
         touch *= d.water.kernel.W_over_G;
         if (d.other) i.for_each([&](int own, int l) { touch[l] += 2.0f * d.other[own].support; });
-        compression += wall_touch.compression(wall_compression, touch);
+        compression += wall_completeness.compression(wall_compression, touch);
     }
     bool some_lack_support() const { return simd::bits_below(support, d.surface_support); }
     void let_voids_close(const Own& i) {
-        const Real touched = WaterTouch{d.given_back}.compression(compression, support, simd::root(dot(shift, shift)));
+        const Real touched =
+            WaterCompleteness{d.given_back}.compression(compression, support, simd::root(dot(shift, shift)));
         i.for_each([&](int, int l) {
             if (support[l] < d.surface_support) compression[l] = touched[l];
         });
@@ -93,7 +94,7 @@ protected:
         // nothing else ties the number of those to their density: they would gather under the zone
         if (d.water.kind)
             i.for_each([&](int own, int l) {
-                if (d.water.kind[own] == Kind::carried) speed[l] = d.fastest_shift;
+                if (d.water.kind[own] == Kind::slave) speed[l] = d.fastest_shift;
             });
         return speed;
     }

@@ -1,13 +1,13 @@
 #pragma once
-// What each sweep reads and writes: plain arrays and numbers, so that a sweep can be compiled once per variant (and for
-// a GPU) without dragging other code along. What the sweeps over the water have in common is a WaterView and, where
-// they meet walls, a WallView. Those of the effects stand beside the effects.
+// What each pair loop reads and writes: plain arrays and numbers, so that a pair loop can be compiled once per variant
+// (and for a GPU) without dragging other code along. What the pair loops over the water have in common is a WaterView
+// and, where they meet walls, a WallView. Those of the effects stand beside the effects.
 #include <cstdint>
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/kernel.h"
-#include "sph_solver/sweeps/groups.h"
-#include "sph_solver/sweeps/records.h"
+#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
@@ -32,7 +32,7 @@ struct WaterView {
 /// The walls' dummy particles, in an index space of their own.
 struct WallView {
     Lists list{};                        ///< Group::wall_list
-    const PlaceRecord* place = nullptr;  ///< null: the sweep meets none
+    const PlaceRecord* place = nullptr;  ///< null: the pair loop meets none
     const float* p = nullptr;
     const WallVelocity* velocity = nullptr;  ///< null: all walls are at rest
     /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
@@ -48,11 +48,11 @@ struct PruneData {
     ListRef Group::*list = &Group::list;
     const PlaceRecord* of = nullptr;     ///< the groups' places
     const PlaceRecord* place = nullptr;  ///< those that the lists refer to
-    double reach = 0;                    ///< [quanta]
+    double reach = 0;                    ///< [fixed-point units]
 };
 
-/// The first sweep of a step: -div u, and what the second one needs of the neighbourhood.
-struct FirstSweepData {
+/// The first pair loop of a step: -div u, and what the second one needs of the neighbourhood.
+struct FirstPairLoopData {
     WaterView water{};
     WallView walls{};
     const OtherSums* other = nullptr;          ///< null: there is one phase
@@ -63,13 +63,13 @@ struct FirstSweepData {
     float inv_W_dp = 0;               ///< 1 / W(dp)
     float fastest_shift = 0;          ///< c0 / 10 [m/s], see Shifting
     float inv_dp = 0;                 ///< [1/m]
-    float inv_void = 10;              ///< 1 / (1 - touch_support), see WallTouch
+    float inv_void = 10;              ///< 1 / (1 - touch_support), see WallCompleteness
     float surface_support = 0;        ///< of LevelSetup
-    float given_back = 0;             ///< [m], a of WaterTouch
+    float given_back = 0;             ///< [m], a of WaterCompleteness
 };
 
 /// The second one: the forces and the density diffusion.
-struct SecondSweepData {
+struct SecondPairLoopData {
     WaterView water{};
     WallView walls{};
     const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge

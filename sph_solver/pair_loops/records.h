@@ -26,10 +26,10 @@ struct alignas(16) GradientPressureRecord {
 
 /// Per-particle result of the gradient pass.
 struct alignas(16) ShiftSupportRecord {
-    float x, y, z;  ///< min(b v_i, c0 / 10) s_i of shifting.h [1/s]; after the second sweep along the free surface
+    float x, y, z;  ///< min(b v_i, c0 / 10) s_i of shifting.h [1/s]; after the second pair loop along the free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
-/// What the other phase adds to the first sweep's sums, see equations/level_pair.h: of shifting [1/m], support [-],
+/// What the other phase adds to the first pair loop's sums, see equations/level_pair.h: of shifting [1/m], support [-],
 /// -div u [1/s], v^2 of shifting [m2/s2].
 struct OtherSums {
     float x, y, z, support, compression, difference2;
@@ -59,14 +59,14 @@ struct alignas(16) WallNormalRecord {
 };
 inline constexpr WallNormalRecord no_wall{0, 0, 0, 1e30f};
 
-/// The velocity past the nearest wall of a particle before or beyond an edge [m/s], zero elsewhere, and when it passes that
-/// edge, from the moment on at which the lists were made [s].
+/// The velocity past the nearest wall of a particle before or beyond an edge [m/s], zero elsewhere, and when it passes
+/// that edge, from the moment on at which the lists were made [s].
 struct alignas(16) LeavingRecord {
     float u, v, w, passes;
 };
 
-/// How much of the pressure the pair forces carry from a particle: m = sum_j r_ji (x) grad_i W_ij V_j. In the continuum it
-/// is the unit tensor; among particles the momentum flux is the sum of V p m over those in a volume, not p of it.
+/// How much of the pressure the pair forces carry from a particle: m = sum_j r_ji (x) grad_i W_ij V_j. In the continuum
+/// it is the unit tensor; among particles the momentum flux is the sum of V p m over those in a volume, not p of it.
 struct CarriedShare {
     float xx, xy, xz, yy, yz, zz;
 };

@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 

@@ -1,8 +1,8 @@
-// The sweep that carries fields from one level of particle size to another, once per variant.
-#include "sph_solver/sweeps/interpolate.h"
+// The pair loop that carries fields from one level of particle size to another, once per variant.
+#include "sph_solver/pair_loops/interpolate.h"
 
 #include "sph_solver/equations/first_order.h"
-#include "sph_solver/sweeps/sweep.h"
+#include "sph_solver/pair_loops/pair_loop.h"
 
 namespace tw {
 namespace TW_ISA {

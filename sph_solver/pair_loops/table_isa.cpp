@@ -1,5 +1,5 @@
-// The table of one variant's sweeps.
-#include "sph_solver/sweeps/passes.h"
+// The table of one variant's pair loops.
+#include "sph_solver/pair_loops/passes.h"
 
 namespace tw {
 namespace TW_ISA {
@@ -21,11 +21,11 @@ constexpr PassTable<Views...> filled(PassTable<Views...>) {
 extern const Passes table;
 constinit const Passes table{.isa = TW_ISA_NAME,
                              .lanes = TW_LANES,
-                             .engine = filled(EngineSweeps{}),
+                             .engine = filled(EnginePairLoops{}),
 #ifdef TW_WITHOUT_EFFECTS
                              .effects = {},
 #else
-                             .effects = filled(EffectSweeps{}),
+                             .effects = filled(EffectPairLoops{}),
 #endif
                              .reach_of = reach_of,
                              .reached = reached};

@@ -1,10 +1,10 @@
 #pragma once
-// How the sweeps run on a device: the 32 threads of a warp work on one group of eight particles. Thread t has the
+// How the pair loops run on a device: the 32 threads of a warp work on one group of eight particles. Thread t has the
 // particle in lane t % 8 and every fourth neighbour, from its slice t / 8 on; the four sums of a lane are added at the
-// end, in an order of their own. So a neighbour is loaded once for eight threads and four neighbours stand side by side.
-// Part of sweep.h; the same numbers on a processor: in_lanes.h with TW_SLICES = 4.
+// end, in an order of their own. So a neighbour is loaded once for eight threads and four neighbours stand side by
+// side. Part of pair_loop.h; the same numbers on a processor: in_lanes.h with TW_SLICES = 4.
 #include "sph_solver/device/language.h"
-#include "sph_solver/sweeps/sweep_parts.h"
+#include "sph_solver/pair_loops/pair_loop_parts.h"
 
 #define TW_ALONE inline
 

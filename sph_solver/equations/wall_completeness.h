@@ -11,7 +11,7 @@ namespace tw {
 /// over the particle itself, water and wall. It is 1 where there is no void between water and wall, however near a free
 /// surface is on the other side: so a film is touched as deep water is. A void of width g takes 2 g W_1(dp/2) from it,
 /// W_1 the kernel integrated over planes: 0.08 at g = dp/10 with h = 1.55 dp.
-struct WallTouch {
+struct WallCompleteness {
     float inv_dp;    ///< 2h / dp, for lengths in 2h
     float inv_void;  ///< 1 / (1 - touch_support)
 

@@ -9,7 +9,7 @@ namespace tw {
 /// costs two bytes instead of an index's four and a list is a quarter as long.
 struct NeighbourBlock {
     std::int32_t first;
-    std::uint32_t live;   ///< what the sweeps visit: who is within reach now or might be
+    std::uint32_t live;   ///< what the pair loops visit: who is within reach now or might be
     std::uint32_t maybe;  ///< who may come and go before the lists are made anew; asked by the `prune` pass
 };
 
@@ -31,18 +31,19 @@ struct Group {
     ListRef list;                      ///< its neighbours among particles and mirror images
     ListRef wall_list;                 ///< its neighbours among the wall's dummy particles
     std::int32_t wall_load = -1;       ///< index of its first WallLoad; -1: no wall near
-    std::int32_t x = 0, y = 0, z = 0;  ///< centre, in quanta: pair coordinates are relative to it
+    std::int32_t x = 0, y = 0, z = 0;  ///< centre, in fixed-point units: pair coordinates are relative to it
 };
 static_assert(sizeof(Group) == 48);
 
-/// What tells whether a place x is within reach of a group's particles x_l, all relative to its centre [quanta]:
-/// |x - x_l|^2 = |x|^2 + (n_l + a_l x + b_l y + c_l z), n = |x_l|^2, (a, b, c) = -2 x_l. Lanes beyond its size repeat
-/// the last particle. Good to a millionth of the reach for a group of water; spray may stand hundreds of spacings apart
-/// in one group, and then who is at the reach's rim, where the kernel vanishes, is known to 1e-4 of it only.
+/// What tells whether a place x is within reach of a group's particles x_l, all relative to its centre [fixed-point
+/// units]: |x - x_l|^2 = |x|^2 + (n_l + a_l x + b_l y + c_l z), n = |x_l|^2, (a, b, c) = -2 x_l. Lanes beyond its size
+/// repeat the last particle. Good to a millionth of the reach for a group of water; spray may stand hundreds of
+/// spacings apart in one group, and then who is at the reach's rim, where the kernel vanishes, is known to 1e-4 of it
+/// only.
 struct alignas(64) GroupReach {
     float n[most_lanes], a[most_lanes], b[most_lanes], c[most_lanes];
     std::int32_t x, y, z;     ///< the group's centre
-    float far2, now2, sure2;  ///< squared reaches [quanta^2]
+    float far2, now2, sure2;  ///< squared reaches [fixed-point units^2]
 };
 
 /// Who is on a list: within `far`, so that the list lasts a while; live at first: within `now`; never asked again:

@@ -12,13 +12,13 @@ namespace tw {
 ///
 /// a such that Q_i = 1 in the first row of a square lattice below a plane surface, 0.59 dp with h = 1.55 dp. Q is then
 /// 1.03 in the second row, 0.93 in a sheet of two rows, and 0.80 to 0.85 inside a lattice 10 % too wide.
-struct WaterTouch {
+struct WaterCompleteness {
     float a;  ///< [m], of_plane_surface
     static constexpr float full = 0.9f, width = 0.1f;
 
-    /// Water compresses only water that it touches: what comes nearer through a void closes the void first. Of d = -div u
-    /// at a particle of the free surface, whose density is not let below rho0 and so forgets how far the particles stand
-    /// apart, therefore
+    /// Water compresses only water that it touches: what comes nearer through a void closes the void first. Of d = -div
+    /// u at a particle of the free surface, whose density is not let below rho0 and so forgets how far the particles
+    /// stand apart, therefore
     ///
     ///   d >= 0:  d clamp((Q_i - 0.8) / 0.1, 0, 1),   d < 0:  d
     ///
@@ -30,7 +30,8 @@ struct WaterTouch {
         return d + positive_part(d) * (positive_part(1.0f - void_share) - 1.0f);
     }
 
-    /// a [m]: the support of the rows above a plane surface over the length of their part of s_i, in the first row below.
+    /// a [m]: the support of the rows above a plane surface over the length of their part of s_i, in the first row
+    /// below.
     static double of_plane_surface(const Kernel& kernel, double dp, int dimensions) {
         const int rows = static_cast<int>(kernel.support() / dp), across = dimensions == 3 ? rows : 0;
         double support = 0, s = 0;

@@ -1,5 +1,5 @@
 #pragma once
-#include "sph_solver/sweeps/reach.h"
+#include "sph_solver/pair_loops/reach.h"
 
 // Who is within reach of a group's particles, on a device: a thread asks for one place of a block.
 namespace tw {

@@ -9,12 +9,12 @@
 
 namespace tw {
 
-/// What follows the first sweep of a step, of each particle by itself: its density changes by the continuity equation for
-/// the time `compress`, its pressure is that of the new density, and it drifts for the time `drift` [s]. Walls are looked
-/// after at the end of the step.
-struct AfterFirstSweep {
+/// What follows the first pair loop of a step, of each particle by itself: its density changes by the continuity
+/// equation for the time `compress`, its pressure is that of the new density, and it drifts for the time `drift` [s].
+/// Walls are looked after at the end of the step.
+struct AfterFirstPairLoop {
     StateView p;
-    ToQuanta to_quanta;
+    ToQuanta to_fixed_point;
     const Kind* kind;
     const RateRecord* rate;
     const ShiftSupportRecord* shift;
@@ -35,9 +35,9 @@ struct AfterFirstSweep {
     template <class Pressure, class Leaving>
     void operator()(std::size_t i, const Pressure& pressure, const Leaving& leaving) const {
         float& drho = p.drho[i];
-        if (kind[i] == Kind::guard) drho += static_cast<float>(compress * static_cast<double>(trend[i].drho));
+        if (kind[i] == Kind::buffer) drho += static_cast<float>(compress * static_cast<double>(trend[i].drho));
         if (follows_the_equations(kind[i])) {
-            const bool under_surface = kind[i] == Kind::band && lacks_support(i);
+            const bool under_surface = kind[i] == Kind::overlap && lacks_support(i);
             drho += static_cast<float>(compress * static_cast<double>(under_surface ? compression[i] : rate[i].drho));
             if (density_rate) density_rate[i] = rate[i].drho;
             // the free surface bears no tension (its density is not let below rho0)
@@ -55,7 +55,7 @@ private:
         p.x[i] += drift * u.x;
         p.y[i] += drift * u.y;
         p.z[i] += drift * u.z;
-        place[i] = to_quanta(p.x[i], p.y[i], p.z[i], p.drho[i]);
+        place[i] = to_fixed_point(p.x[i], p.y[i], p.z[i], p.drho[i]);
         if (wall) wall[i].distance += static_cast<float>(drift * leaving(i, u));
     }
 };

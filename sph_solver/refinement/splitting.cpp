@@ -1,4 +1,4 @@
-// Children of the coarse particles that come near the zone.
+// Daughters of the coarse particles that come near the zone.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -14,7 +14,7 @@ Vec3 place_of(const auto& one) { return {one.place.x, one.place.y, one.place.z};
 
 std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
     std::vector<Vec3> places;
-    for (int octant = 0; octant < static_cast<int>(children_of_one()); ++octant) {
+    for (int octant = 0; octant < static_cast<int>(daughters_of_one()); ++octant) {
         const double half = dp_ / 2;
         const Vec3 to(octant & 1 ? half : -half,
                       coarse_.dimensions() == 2 ? 0
@@ -28,38 +28,38 @@ std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
 
 Refinement::Families Refinement::families_of(const std::vector<Parent>& parents) const {
     Families families;
-    std::vector<Located> back, near, guards;
+    std::vector<Located> back, near, buffers;
     for (const Parent& p : parents)
-        if (p.before == Children::some) back.push_back({p.index, p.place});
+        if (p.before == Daughters::some) back.push_back({p.index, p.place});
     back = coarse_.of_all_ranks(std::move(back));
     if (back.empty()) return families;
     Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
     for (const Located& parent : back) families.of[parent.index], crowd.mark(place_of(parent));
     const auto not_marked = [&](const Located& one) { return !crowd.is_marked(place_of(one)); };
-    near = coarse_.edges().between(0, band_over_dp * dp_);
+    near = coarse_.edges().between(0, overlap_over_dp * dp_);
     std::erase_if(near, not_marked);
     for (const Located& one : coarse_.of_all_ranks(std::move(near)))
         crowd.add(place_of(one), static_cast<std::size_t>(one.index));
-    guards = fine_.edges().guards();
-    std::erase_if(guards, not_marked);
-    for (const Located& guard : fine_.of_all_ranks(std::move(guards))) {
-        const std::optional<std::size_t> parent = crowd.nearest(place_of(guard));
+    buffers = fine_.edges().buffers();
+    std::erase_if(buffers, not_marked);
+    for (const Located& buffer : fine_.of_all_ranks(std::move(buffers))) {
+        const std::optional<std::size_t> parent = crowd.nearest(place_of(buffer));
         if (!parent) continue;
         if (const auto family = families.of.find(static_cast<std::int64_t>(*parent)); family != families.of.end())
-            family->second.push_back(guard);
+            family->second.push_back(buffer);
     }
     for (const Located& parent : back) {
         std::vector<Located>& family = families.of[parent.index];
         std::ranges::stable_sort(family, {},
                                  [&](const Located& k) { return (place_of(k) - place_of(parent)).squaredNorm(); });
-        for (std::size_t k = children_of_one(); k < family.size(); ++k)
+        for (std::size_t k = daughters_of_one(); k < family.size(); ++k)
             if (const auto own = fine_.owned(family[k].index)) families.too_many.push_back(*own);
     }
     return families;
 }
 
-void Refinement::give_birth() {
-    const std::vector<Parent> parents = coarse_.edges().find_parents(guard_over_dp * dp_);
+void Refinement::split_parents() {
+    const std::vector<Parent> parents = coarse_.edges().find_parents(buffer_over_dp * dp_);
     if (coarse_.ranks().sum(static_cast<std::int64_t>(parents.size())) == 0) return;
     const Families families = families_of(parents);
     FieldsAt at;
@@ -85,25 +85,25 @@ void Refinement::give_birth() {
     coarse_.interpolate(at);
     const Level::Numbers numbers = coarse_.number_by_column(by);
     const std::int64_t first_id = fine_.take_ids(numbers.all);
-    std::vector<Child> children;
+    std::vector<Child> daughters;
     for (std::size_t k = 0; k < parent_of.size(); ++k) {
         const Vec3& x = at.places[k];
         const bool known = at.given(k).known();
-        children.push_back({.place = {x.x(), x.y(), x.z()},
-                            .state = known ? at.value[k] : parent_of[k]->state,
-                            .kind = zone_.outside(x) < 0 ? Kind::fluid : Kind::guard,
-                            .id = first_id + numbers.own[k]});
+        daughters.push_back({.place = {x.x(), x.y(), x.z()},
+                             .state = known ? at.value[k] : parent_of[k]->state,
+                             .kind = zone_.outside(x) < 0 ? Kind::fluid : Kind::buffer,
+                             .id = first_id + numbers.own[k]});
     }
-    ledger_.births += numbers.all;
+    ledger_.splits += numbers.all;
     remove_gone(families.too_many);
-    fine_.edges().add(children);
+    fine_.edges().add(daughters);
     fine_.make_lists_due();
 }
 
 void Refinement::remove_gone(const std::vector<std::size_t>& more) {
-    const std::int64_t deaths = fine_.edges().remove_gone(more);
-    ledger_.deaths += deaths;
-    if (deaths > 0) fine_.make_lists_due();
+    const std::int64_t merges = fine_.edges().remove_gone(more);
+    ledger_.merges += merges;
+    if (merges > 0) fine_.make_lists_due();
 }
 
 }  // namespace tw

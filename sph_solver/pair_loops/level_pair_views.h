@@ -1,10 +1,10 @@
 #pragma once
 #include "sph_solver/device/kernel_of.h"
-#include "sph_solver/sweeps/views.h"
+#include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 
-/// What the first sweep wants of the other level, see equations/level_pair.h.
+/// What the first pair loop wants of the other level, see equations/level_pair.h.
 struct MeetOtherData {
     WaterView water{}, other{};
     Lists list{};        ///< neighbours of `water` in `other`
@@ -17,11 +17,11 @@ struct PressOtherData {
     Lists list{};
     const ShiftSupportRecord* shift = nullptr;
     RateRecord* rate = nullptr;
-    float viscosity = 0;  ///< of the pair, see SecondSweepData
+    float viscosity = 0;  ///< of the pair, see SecondPairLoopData
     float tension_control_from = 2;
 };
 
-#define TW_PAIR_SWEEPS(sweep) sweep(tw_meet_other, MeetOtherData) sweep(tw_press_other, PressOtherData)
-TW_PAIR_SWEEPS(TW_KERNEL_OF)
+#define TW_PAIR_PAIR_LOOPS(pair_loop) pair_loop(tw_meet_other, MeetOtherData) pair_loop(tw_press_other, PressOtherData)
+TW_PAIR_PAIR_LOOPS(TW_KERNEL_OF)
 
 }  // namespace tw
