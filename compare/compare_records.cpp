@@ -23,7 +23,9 @@
 #include "compare/reference/planing.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
+#include "record/measured_value.h"
 #include "record/record_numbers.h"
+#include "text/units.h"
 
 namespace tw {
 
@@ -201,6 +203,38 @@ void add_planing_plate(Comparison& comparison) {
     }
 }
 
+/// A record may come from elsewhere, with any text as its unit.
+bool measures_the_same(const std::string& text, const Unit& unit) {
+    try {
+        return parse_unit(text).dimension == unit.dimension;
+    } catch (const UnitError&) { return false; }
+}
+
+/// What the scene gives of measurements, in the units of the quantities.
+void add_measured(Comparison& comparison) {
+    for (const MeasuredValue& m : measured_values(comparison.sources.front())) {
+        const Quantity* q = comparison.find(m.quantity);
+        if (!q) {
+            comparison.banners.push_back(fmt::format(
+                "The scene gives a measured value of {}, and these runs have no such quantity; the names are "
+                "in quantities.csv.",
+                m.quantity));
+            continue;
+        }
+        const Unit unit = parse_unit(q->unit);
+        if (!measures_the_same(m.unit, unit)) {
+            comparison.banners.push_back(fmt::format(
+                "The scene gives a measured value of {} in {}, and the quantity has the unit {}: it is not shown.",
+                m.quantity, m.unit, q->unit));
+            continue;
+        }
+        comparison.references.push_back(
+            {m.quantity, q->unit, fmt::format("the measured value ({})", m.source), m.value / unit.factor,
+             m.half_width / unit.factor,
+             m.half_width > 0 ? "± is that of the measurement" : "the measurement's uncertainty is not known"});
+    }
+}
+
 }  // namespace
 
 Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions& options) {
@@ -249,6 +283,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_gauges(comparison);
     add_walls(comparison);
     set_failed_aside(comparison);
+    add_measured(comparison);
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)

@@ -221,6 +221,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
                    : " is rigid here: a difference from a run in which it bends contains its compliance");
     }
     if (scene.tank_motion) record.attributes["tank_moves"] = "yes";
+    for (const MeasuredValue& m : scene.measured) note_measured(record, m);
     const std::vector<Finding> doubts = doubtful_input(scene);
     for (std::size_t k = 0; k < doubts.size(); ++k)
         record.attributes[fmt::format("scene_finding_{:02}", k)] = doubts[k].name + ": " + doubts[k].message;

@@ -15,6 +15,7 @@
 #include "motion/moving_frame.h"
 #include "motion/rigid_body.h"
 #include "record/effect_choice.h"
+#include "record/measured_value.h"
 #include "record/raster_spec.h"
 #include "scene/elastic/elastic_tyre.h"
 #include "scene/sph_options.h"
@@ -226,6 +227,7 @@ struct Scene {
     std::vector<RefinedPlace> refined;
     std::vector<RefinementBox> refinement;  ///< those and what the hull asks for
     Sampling sampling;
+    std::vector<MeasuredValue> measured;
     Run run;
     SphOptions sph;
     FvmOptions fvm;

@@ -376,6 +376,9 @@ std::string to_text(const Scene& scene, const Prediction& p) {
                        s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);
     if (s.mean_from > 0) out += fmt::format("means from {:.4g} s; ", s.mean_from);
     out += fmt::format("{} pressure and {} height probes\n", s.pressure.size(), s.height.size());
+    for (const MeasuredValue& m : scene.measured)
+        out += fmt::format("measured    {} {:.6g} {} ({})\n", m.quantity, m.value / parse_unit(m.unit).factor, m.unit,
+                           m.source);
     if (p.snapshots > 0) out += fmt::format("  snapshots {:.0f} sets of ParaView files\n", p.snapshots);
     out += fmt::format(
         "run         {}{:.4g} s{}, particle sound speed {:.4g} m/s{}\n",

@@ -185,6 +185,15 @@ Unit parse_unit(std::string_view original) {
     }
 }
 
+std::string unit_after_number(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string_view rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+    return rest.empty() ? "-" : std::string(rest);
+}
+
 bool has_unit(std::string_view text) {
     text = trimmed(text);
     const std::size_t last = text.find_last_not_of(" \t\r");

@@ -32,6 +32,9 @@ double quantity(std::string_view text, std::string_view si_unit);
 /// Whether something follows the number in `text`.
 bool has_unit(std::string_view text);
 
+/// What follows the number in `text`, without blanks around it; "-" where nothing does.
+std::string unit_after_number(std::string_view text);
+
 /// A time for people: "45 s", "12 min", "3.5 h", "8.2 days", "2.1 years".
 std::string time_in_words(double seconds);
 

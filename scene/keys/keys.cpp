@@ -41,6 +41,7 @@ std::vector<SceneKey> all_keys() {
         {"run", run_keys()},
         {"sampling", sampling_keys()},
         {"probe", probe_keys()},
+        {"measured", measured_keys()},
         {"tank", tank_keys()},
         {"water_block", water_block_keys()},
         {"refine", refine_keys()},
@@ -83,6 +84,8 @@ const std::vector<SectionRow>& scene_sections() {
         {"run", false, "How long and how the scene is run."},
         {"sampling", false, "What is recorded, and when."},
         {"probe", true, "A place at which pressure or height is recorded; exactly one of the two is given."},
+        {"measured", true,
+         "What was measured of a quantity: the reports show it beside the runs, and say which of them miss it."},
         {"tank", false,
          "A tank instead of a domain: walls all around, open above. With `law` it moves, and all places and velocities "
          "are in its own axes."},

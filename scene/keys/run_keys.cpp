@@ -199,6 +199,18 @@ Rows probe_keys() {
     };
 }
 
+Rows measured_keys() {
+    return {
+        {.name = "quantity", .kind = Kind::name, .fallback = "required",
+         .meaning = "Name of the quantity in report.json and quantities.csv: lift, drag, total_drag, ..."},
+        {.name = "value", .kind = Kind::text, .fallback = "required",
+         .meaning = "What was measured, with its unit in quotes: \"71.25 N\"; of a half model that of the whole hull."},
+        {.name = "uncertainty", .kind = Kind::text, .fallback = "not known",
+         .meaning = "Half width of its 95 % interval, in the same kind of unit or in per cent: \"3 N\", \"4 %\"."},
+        {.name = "source", .kind = Kind::text, .fallback = "required", .meaning = "Who measured it, where it was published."},
+    };
+}
+
 Rows water_block_keys() {
     return {
         {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",

@@ -112,6 +112,42 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
     return raster_spacing;
 }
 
+std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections) {
+    std::vector<MeasuredValue> all;
+    std::set<std::string> taken;
+    for (SceneSection& s : sections) {
+        const auto required = [&](const std::string& key, const char* expected) {
+            std::optional<std::string> text = s.text(key);
+            if (!text || text->empty()) s.fail(key, fmt::format("missing; expected {}", expected));
+            return *text;
+        };
+        MeasuredValue m;
+        if (!s.has("quantity"))
+            s.fail("quantity", "missing; expected the name of a quantity of the report, as \"lift\"");
+        m.quantity = s.identifier("quantity", "");
+        if (!taken.insert(m.quantity).second)
+            s.fail("quantity", fmt::format("{} has a measured value already; give each quantity one", m.quantity));
+        const std::string value = required("value", "the measured value with its unit, as \"71.25 N\"");
+        m.unit = unit_after_number(value);
+        const auto read = [&](const char* key, const std::string& text) {
+            try {
+                return quantity(text, m.unit);
+            } catch (const UnitError& e) { s.fail(key, e.what()); }
+        };
+        m.value = read("value", value);
+        if (const auto uncertainty = s.text("uncertainty")) {
+            m.half_width = unit_after_number(*uncertainty) == "%"
+                               ? quantity(uncertainty->substr(0, uncertainty->find('%')), "-") / 100 * std::abs(m.value)
+                               : read("uncertainty", *uncertainty);
+            if (!(m.half_width > 0)) s.fail("uncertainty", "expected a half width above 0, or no uncertainty");
+        }
+        m.source = required("source", "who measured it, as \"Fridsma 1969, configuration A\"");
+        s.finish();
+        all.push_back(std::move(m));
+    }
+    return all;
+}
+
 Box read_box(SceneSection& s) {
     const auto min = s.vector("min"), max = s.vector("max");
     if (!min || !max) s.fail(min ? "max" : "min", "missing; expected min = [x, y, z] and max = [x, y, z]");

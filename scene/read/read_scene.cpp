@@ -134,7 +134,8 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
                many("water_block"),
                many("refine"),
                many("ply"),
-               many("gauge")};
+               many("gauge"),
+               many("measured")};
     for (const std::string& method : method_names()) s.numerics.emplace(method, one(method));
     s.root = root;
     s.root.know("title");
@@ -167,6 +168,7 @@ void read_sections(Reading& r) {
     s.wave.read_into(scene);
     s.wave.finish();
     r.voxel = read_sampling(s.sampling, s.probes, scene);
+    scene.measured = read_measured(s.measured);
     const auto read_all = [&](SceneSection& section) {
         section.read_into(scene);
         section.finish();

@@ -77,6 +77,9 @@ inline std::map<std::string, Change> changes() {
                       swaying =
                           moved + "law = \"sinusoid\"\nalong = [1, 0, 0]\namplitude = 0.1\nperiod = 2\nphase = 0\n",
                       tabled = moved + "law = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 1]\nvalues = [0, 0.1]\n";
+    const std::string weighed =
+        planing +
+        "[[measured]]\nquantity = \"lift\"\nvalue = \"71.25 N\"\nuncertainty = \"3 N\"\nsource = \"Tank 3\"\n";
     const auto tank_with = [](const std::string& motion) {
         return with(tank, "size = [1, 0.5, 0.8]\n", "size = [1, 0.5, 0.8]\n" + motion) + "[sph]\nc0 = 100\n";
     };
@@ -182,6 +185,10 @@ inline std::map<std::string, Change> changes() {
         {"water_block.min",
          replaced(tank, "min = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]", "min = [0.1, 0, 0]\nmax = [0.5, 0.5, 0.4]")},
         {"water_block.max", replaced(tank, "max = [0.5, 0.5, 0.4]", "max = [0.4, 0.5, 0.4]")},
+        {"measured.quantity", replaced(weighed, "\"lift\"", "\"drag\"")},
+        {"measured.value", replaced(weighed, "71.25 N", "70 N")},
+        {"measured.uncertainty", replaced(weighed, "3 N", "4 N")},
+        {"measured.source", replaced(weighed, "Tank 3", "Tank 4")},
         {"refine.name", {boxed, with(boxed, "[[refine]]\n", "[[refine]]\nname = \"a\"\n")}},
         {"refine.min", replaced(boxed, "min = [2, -0.5, -0.4]", "min = [2.2, -0.5, -0.4]")},
         {"refine.max", replaced(boxed, "max = [3, 0.5, 0.2]", "max = [3.2, 0.5, 0.2]")},

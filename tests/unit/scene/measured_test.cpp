@@ -1,0 +1,50 @@
+// Sections [[measured]]: what is read of them, what they leave alone, and what is refused.
+#include "record/measured_value.h"
+
+#include <numbers>
+
+#include "record/run_record.h"
+#include "scene/hash.h"
+#include "scene/new_record.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace measured_test {
+
+std::string measured(const std::string& lines) { return planing + "[[measured]]\n" + lines; }
+const std::string source = "source = \"Fridsma 1969\"\n";
+
+TEST(Measured, StandInTheRecordInSIUnitsAndChangeNoHash) {
+    const Scene scene = scene_of(
+        measured("quantity = \"lift\"\nvalue = \"7.125 kN\"\nuncertainty = \"4 %\"\n" + source +
+                 "[[measured]]\nquantity = \"running_trim\"\nvalue = \"4 deg\"\nuncertainty = \"0.1 deg\"\n" + source));
+    const std::vector<MeasuredValue> values = measured_values(new_record(scene, "sph"));
+    ASSERT_EQ(values.size(), 2u);
+    EXPECT_EQ(values[0].quantity, "lift");
+    EXPECT_EQ(values[0].unit, "kN");
+    EXPECT_EQ(values[0].source, "Fridsma 1969");
+    EXPECT_NEAR(values[0].value, 7125, 1e-9);
+    EXPECT_NEAR(values[0].half_width, 285, 1e-9);
+    EXPECT_NEAR(values[1].value, 4 * std::numbers::pi / 180, 1e-12);
+    EXPECT_NEAR(values[1].half_width, 0.1 * std::numbers::pi / 180, 1e-12);
+    EXPECT_EQ(scene.hash, scene_of(planing).hash) << "a measurement steers nothing";
+    EXPECT_EQ(run_hash(scene, "sph"), run_hash(scene_of(planing), "sph"));
+}
+
+TEST(Measured, ThatAreNotWholeAreRefusedInWords) {
+    const std::string value = "quantity = \"lift\"\nvalue = \"71.25 N\"\n";
+    const auto says = [&](const std::string& lines, const char* what) {
+        const std::string message = complaint(measured(lines));
+        EXPECT_NE(message.find(what), std::string::npos) << message;
+    };
+    says("value = \"71.25 N\"\n" + source, "missing; expected the name of a quantity");
+    says("quantity = \"lift\"\n" + source, "missing; expected the measured value with its unit");
+    says(value, "missing; expected who measured it");
+    says("quantity = \"lift\"\nvalue = \"many N\"\n" + source, "value");
+    says(value + "uncertainty = \"3 m\"\n" + source, "uncertainty");
+    says(value + "uncertainty = \"-3 N\"\n" + source, "half width above 0");
+    says(value + source + "[[measured]]\n" + value + source, "lift has a measured value already");
+}
+
+}  // namespace measured_test
+}  // namespace tw::test
