@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/read/read.h"
+#include "text/units.h"
 
 namespace tw {
 
