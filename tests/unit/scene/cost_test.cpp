@@ -90,7 +90,7 @@ TEST(Cost, StepsOfAHeldHullAreThoseOfItsSnappedCellsWhateverTheFrames) {
     for (const auto& [scale, made] : {std::pair{2.0, 219.0}, {1.4142, 410.0}}) {
         SceneOverrides o;
         o.scale_resolution = scale;
-        Scene s = read_scene(TWINWAKE_SOURCE "/studies/demo.toml", o);
+        Scene s = read_scene(TWINWAKE_SOURCE "/studies/demo_prism.toml", o);
         const double steps = predict(s).of("fvm").steps;
         EXPECT_GT(steps, made / 1.3) << scale;
         EXPECT_LT(steps, made * 1.3) << scale;
