@@ -51,7 +51,7 @@ std::string surface_cells(const Scene& scene) {
     return text.empty() ? "none" : text;
 }
 
-/// As set up: the particles' zones, or the mesh's boxes.
+/// As set up: the particles' zones, or the mesh's boxes; of a method that has no finer places the largest size alone.
 std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& method) {
     std::vector<ResolvedBox> finer;
     double largest = scene.resolution.spacing;
@@ -228,7 +228,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;
     record.effects = scene.effects;
-    if (method == "sph" || method == "fvm") record.resolution = resolution_of(scene, method);
+    if (find_method(method)) record.resolution = resolution_of(scene, method);  // a table that is imported has none
     return record;
 }
 
