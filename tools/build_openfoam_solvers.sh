@@ -20,7 +20,7 @@ set -euo pipefail
 sources=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
 declare -A libraries_of=([ventilated_wall]=libventilatedWall.so [forcing_zones]=libforcingZones.so)
 die() { echo "build_openfoam_solvers: $*" >&2; exit 1; }
-[ $# -ge 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
+[ $# -ge 1 ] && [[ $1 != -* ]] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 work=$(realpath -m -- "$1"); shift
 case $work in *[!A-Za-z0-9._/+-]*) die "'$work': OpenFOAM's make files cannot live in a path with blanks or quotes; choose another folder";; esac
 declare -A source_folder=([interFoam]=multiphase/interFoam [interIsoFoam]=multiphase/interIsoFoam [potentialFoam]=basic/potentialFoam)

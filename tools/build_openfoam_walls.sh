@@ -17,7 +17,7 @@ set -euo pipefail
 
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
 die() { echo "build_openfoam_walls: $*" >&2; exit 1; }
-[ $# = 1 ] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
+[ $# = 1 ] && [[ $1 != -* ]] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 [ -n "${WM_PROJECT_DIR:-}" ] && [ -n "${FOAM_SRC:-}" ] ||
     die "no OpenFOAM environment is loaded (WM_PROJECT_DIR, FOAM_SRC); source the etc/bashrc of the release first"
 command -v wmake >/dev/null || die "wmake is not on the PATH; the loaded OpenFOAM ($WM_PROJECT_DIR) has no developer's part"

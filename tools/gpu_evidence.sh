@@ -16,7 +16,7 @@
 # Exit status: 0 all that could be asked was right, 1 something was not.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
-[ $# -ge 1 ] || { sed -n '2,16p' "${BASH_SOURCE[0]}" | cut -c3-; exit 2; }
+[ $# -ge 1 ] && [[ $1 != -* ]] || { sed -n '2,16p' "${BASH_SOURCE[0]}" | cut -c3-; exit 2; }
 out=$1 program=${2:-build/twinwake} tests=${3:-build/tests/unit/sph_solver/unit_sph_solver}
 mkdir -p "$out" || exit 1
 table=$out/gpu_evidence.txt
