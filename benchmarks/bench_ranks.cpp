@@ -15,7 +15,6 @@
 #include "scene/scene.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/parallel/comm.h"
-#include "sph_solver/ranks_refused.h"
 #include "sph_solver/scene_setup.h"
 
 using namespace tw;
@@ -45,7 +44,6 @@ void count_size(const Comm& ranks, const Level& level) {
 }
 
 void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
-    refuse_ranks(scene, ranks.size());
     SphSetup setup = sph_setup(scene, threads);
     setup.simulation.ranks = &ranks;
     Simulation simulation(setup.simulation, setup.fluid);

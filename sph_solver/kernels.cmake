@@ -36,5 +36,5 @@ foreach(kind kernels strict_kernels)
   list(APPEND sources ${ptx}.S)
 endforeach()
 list(APPEND sources cuda/driver.cpp cuda/peaks.cpp levels/edges_on_device.cpp levels/fields_on_device.cpp
-     levels/lists_on_device.cpp
+     levels/halo_on_device.cpp     levels/lists_on_device.cpp
      levels/loops_on_device.cpp levels/neighbours_on_device.cpp levels/on_device.cpp)

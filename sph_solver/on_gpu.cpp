@@ -1,5 +1,6 @@
 #include "sph_solver/on_gpu.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "base/errors.h"
 #include "scene/refined_places.h"
 #include "sph_solver/backend/variants.h"
+#include "sph_solver/parallel/comm.h"
 #include "sph_solver/simulation.h"
 #ifdef TWINWAKE_CUDA
 #include "sph_solver/cuda/peaks.h"
@@ -18,15 +20,24 @@ namespace tw {
 
 namespace {
 
+/// What of all particles one of this machine's GPUs has to hold: of several ranks each has copies of others' beside its
+/// own (a third of a million particles each, docs/decisions/067-ranks.md), and several may share it.
+double share_of_gpu(const Comm& ranks) {
+    if (!ranks.many()) return 1;
+    constexpr double with_copies = 1.4;
+    const int gpus = std::max(1, gpu_count()), on_one = (ranks.size_here() + gpus - 1) / gpus;
+    return std::min(1.0, with_copies / ranks.size()) * on_one;
+}
+
 /// Why the memory of the GPU here is too small for the particles that a scene is predicted to have; empty: it is not.
 std::string why_too_small(const Scene& scene, const Prediction* sizes) {
     const Prediction p = sizes ? *sizes : predict_sizes(scene);
-    const double particles = p.most_particles + p.air_particles,
-                 needed = bytes_on_gpu(particles + p.wall_particles, sizes_of_particles(scene) > 1),
-                 there = gpu_memory();
+    const double particles = p.most_particles + p.air_particles, share = share_of_gpu(Comm::world()),
+                 here = share * particles,
+                 needed = bytes_on_gpu(here + p.wall_particles, sizes_of_particles(scene) > 1), there = gpu_memory();
     if (needed <= there) return "";
     return fmt::format("{} has {:.3g} GB of memory, and {:.3g} particles need {:.3g} GB there", gpu_name(), there / 1e9,
-                       particles, needed / 1e9);
+                       here, needed / 1e9);
 }
 
 }  // namespace
@@ -48,7 +59,10 @@ bool gpu_wanted(const Scene& scene, const Prediction* sizes) {
 }
 
 std::string gpu_line(const Scene& scene, const Prediction* sizes) {
-    if (gpu_wanted(scene, sizes)) return "GPU: " + gpu_in_words() + "\n";
+    if (gpu_wanted(scene, sizes)) {
+        const std::string of_ranks = gpus_of_ranks(Comm::world());
+        return "GPU: " + gpu_in_words() + (of_ranks.empty() ? "" : "; " + of_ranks) + "\n";
+    }
     if (scene.run.device == "cpu" || !why_no_gpu_here().empty()) return "";
     return "GPU: left alone: " + why_too_small(scene, sizes) + "; this processor makes the steps\n";
 }
@@ -67,9 +81,10 @@ std::string why_no_gpu_here() { return cuda::Device::reason_against(); }
 
 std::string gpu_name() { return cuda::Device::name_here(); }
 double gpu_memory() { return cuda::Device::memory_here(); }
+int gpu_count() { return cuda::Device::count_here(); }
 
 std::string gpu_in_words() {
-    const auto device = cuda::Device::open();
+    const auto device = cuda::Device::open(Comm::world().rank_here());
     const std::string among =
         device->of() == 1 ? ""
                           : fmt::format("; number {} of {}, the first that can be used: CUDA_VISIBLE_DEVICES chooses",
@@ -89,18 +104,23 @@ std::string why_no_room(const cuda::Device& device, const Simulation& simulation
     std::int64_t particles = 0;
     std::size_t dummies = 0;
     for (const auto& level : simulation.levels()) particles += level->count(), dummies += level->walls().size();
-    const double needed = bytes_on_gpu(double(particles) + double(dummies), simulation.levels().size() > 1),
+    const Comm& ranks = simulation.level(0).ranks();
+    const auto here = static_cast<std::int64_t>(double(particles) * share_of_gpu(ranks));
+    const double needed = bytes_on_gpu(double(here) + double(dummies), simulation.levels().size() > 1),
                  free = double(device.free_memory());
     if (needed <= free) return "";
-    return fmt::format("{} has {:.3g} GB free, and {} particles need {:.3g} GB there", device.name(), free / 1e9,
-                       particles, needed / 1e9);
+    return fmt::format("{} has {:.3g} GB free, and {} particles need {:.3g} GB there", device.name(), free / 1e9, here,
+                       needed / 1e9);
+}
+std::shared_ptr<cuda::Device> gpu_of(const Simulation& simulation) {
+    return cuda::Device::open(simulation.level(0).ranks().rank_here());
 }
 }  // namespace
 
-std::string why_no_room_on_gpu(const Simulation& simulation) { return why_no_room(*cuda::Device::open(), simulation); }
+std::string why_no_room_on_gpu(const Simulation& simulation) { return why_no_room(*gpu_of(simulation), simulation); }
 
 std::string leave_steps_to_gpu(Simulation& simulation) {
-    const std::shared_ptr<cuda::Device> device = cuda::Device::open();
+    const std::shared_ptr<cuda::Device> device = gpu_of(simulation);
     if (const std::string why = why_no_room(*device, simulation); !why.empty())
         throw InputError(why + ": coarser particles, a smaller domain, or [run] device = \"cpu\"");
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
@@ -110,6 +130,16 @@ std::string leave_steps_to_gpu(Simulation& simulation) {
     return device->name();
 }
 
+std::string gpus_of_ranks(const Comm& ranks) {
+    if (!ranks.many()) return "";
+    const int gpus = gpu_count(), here = ranks.size_here();
+    if (here <= gpus) return fmt::format("each of {} ranks here has a GPU of its own, of {}", here, gpus);
+    return fmt::format(
+        "{} ranks here share {} GPU{}, which make{} the steps of one rank after the other: as many ranks "
+        "as GPUs would do",
+        here, gpus, gpus == 1 ? "" : "s", gpus == 1 ? "s" : "");
+}
+
 #else
 
 bool built_for_gpu() { return false; }
@@ -117,6 +147,8 @@ std::string why_no_gpu_here() { return "this twinwake was built without kernels;
 std::string gpu_peaks_in_words() { throw InputError(why_no_gpu_here()); }
 std::string gpu_name() { return {}; }
 double gpu_memory() { return 0; }
+int gpu_count() { return 0; }
+std::string gpus_of_ranks(const Comm&) { return {}; }
 std::string gpu_in_words() { throw InputError(why_no_gpu_here()); }
 std::string why_no_room_on_gpu(const Simulation&) { throw InputError(why_no_gpu_here()); }
 std::string leave_steps_to_gpu(Simulation&) { throw InputError(why_no_gpu_here()); }

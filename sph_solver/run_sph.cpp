@@ -26,7 +26,6 @@
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/phase_timer.h"
-#include "sph_solver/ranks_refused.h"
 #include "sph_solver/run_files.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/state/checkpoint.h"
@@ -50,6 +49,18 @@ void refuse_other_builds(const Comm& ranks) {
     });
 }
 
+/// Of several ranks GPUs make all steps, or none.
+bool all_on_gpu(const Comm& ranks, const Scene& scene, const RunOptions& options) {
+    bool wanted = false;
+    ranks.together([&] { wanted = gpu_wanted(scene, options.prediction); });
+    return ranks.sum(std::int64_t{wanted}) == ranks.size();
+}
+/// What one of them says, the same on all; empty: none says anything.
+std::string said_by_one(const Comm& ranks, const std::string& own) {
+    const auto who = static_cast<int>(ranks.largest(own.empty() ? -1 : ranks.rank()));
+    return who < 0 ? "" : ranks.told_by(who, own);
+}
+
 /// One run of one scene, from the setup to the record: `run` is the list of its parts.
 class SphRun {
 public:
@@ -59,7 +70,7 @@ public:
           hash_(run_hash(scene, "sph")),
           duration_(scene.run.duration),
           ranks_(Comm::world()),
-          on_gpu_(gpu_wanted(scene, options.prediction)),
+          on_gpu_(all_on_gpu(ranks_, scene, options)),
           files_(options.folder, hash_, ranks_, !ranks_.many()),
           threads_(options.threads > 0     ? options.threads
                    : scene.run.threads > 0 ? scene.run.threads
@@ -124,10 +135,10 @@ private:
             if (setup.pressure_iterations > 0) fresh.numbers["start_pressure_iterations"] = setup.pressure_iterations;
         }
         std::string no_room;  // others may have taken the GPU's memory
-        if (on_gpu_ && scene_.run.device == "auto") no_room = why_no_room_on_gpu(*simulation_);
+        if (on_gpu_ && scene_.run.device == "auto") no_room = said_by_one(ranks_, why_no_room_on_gpu(*simulation_));
         if (!no_room.empty()) fresh.attributes["gpu_left_alone"] = no_room;
         if (on_gpu_ && no_room.empty())
-            fresh.attributes["device"] = leave_steps_to_gpu(*simulation_);
+            ranks_.together([&] { fresh.attributes["device"] = leave_steps_to_gpu(*simulation_); });
         else if (control_volume)
             simulation_->set_control_volume(*control_volume);
         // the coarsest level is whole everywhere
@@ -369,7 +380,6 @@ private:
 }  // namespace
 
 RunRecord run_sph(const Scene& scene, const RunOptions& options) {
-    refuse_ranks(scene, Comm::world().size());
     refuse_other_builds(Comm::world());
     return SphRun(scene, options).run();
 }

@@ -149,6 +149,9 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
     ranks.together([&] { refuse_taken(folder, "sph", command); });
     Common own = common;
     if (!ranks.first()) own.quiet = true, own.json.clear();
+    std::string ready;
+    ranks.together([&] { ready = ready_text({"sph"}, plan.scene, &plan.prediction); });
+    say(own, ready);
     say(own, fmt::format("{}\n{}{}{} ranks, results in {}\n", plan.scene.title, warnings_text(plan.scene),
                          prediction_text(plan), ranks.size(), out.string()));
     catch_stop_signals();

@@ -20,7 +20,6 @@
 #include "compare/report/numbers.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/rank_model.h"
-#include "sph_solver/ranks_refused.h"
 #include "sph_solver/scene_setup.h"
 #include "text/plain_number.h"
 
@@ -91,7 +90,6 @@ void refuse_unshared(const PlannedRun& plan, int option) {
         refuse(fmt::format(
             "{} ranks share a run of the particles, and there is none: the mesh method starts its own ranks, --threads",
             ranks));
-    placed(scene, option, [&] { refuse_ranks(scene, ranks); });
     if (!Comm::built_with_mpi())
         refuse(
             "this twinwake was built without MPI; install libopenmpi-dev and build anew, or use --threads with one "

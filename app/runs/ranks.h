@@ -8,8 +8,8 @@
 
 namespace tw::app {
 
-/// Throws InputError where the ranks of `plan` cannot share its run: methods that are not the particles, a scene that
-/// the engine refuses (sph_solver/ranks_refused.h), a program without MPI. `option`: that of --ranks; 0: the scene's
+/// Throws InputError where the ranks of `plan` cannot share its run: methods that are not the particles, a program
+/// without MPI. `option`: that of --ranks; 0: the scene's
 /// key, whose place the text then names.
 void refuse_unshared(const PlannedRun& plan, int option);
 

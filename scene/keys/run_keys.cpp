@@ -144,8 +144,8 @@ Rows run_keys() {
         {.name = "threads", .kind = Kind::whole, .range = {0, 4096}, .slot = slot(&Scene::run, &Run::threads),
          .meaning = "Threads of the particle method and ranks of the mesh method; 0: all cores."},
         {.name = "ranks", .kind = Kind::whole, .range = {1, 65535}, .slot = slot(&Scene::run, &Run::ranks),
-         .meaning = "Processes (MPI) that share the particles of `twinwake run`, each with its threads; run --ranks goes "
-                    "before it. Runs of other studies have one each. The results have the same bits for any number."},
+         .meaning = "Processes (MPI) that share the particles of `twinwake run`, each with its threads or a GPU of its own; run "
+                    "--ranks goes before it. Runs of other studies have one each. The results have the same bits for any number."},
         {.name = "device", .kind = Kind::choice, .choices = {"cpu", "gpu", "auto"}, .slot = slot(&Scene::run, &Run::device),
          .meaning = "What makes the particles' steps: this processor, a GPU, or a GPU where there is one. Both give the "
                     "same but for last digits."},

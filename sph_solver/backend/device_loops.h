@@ -8,6 +8,8 @@
 
 namespace tw {
 
+class Halo;
+
 /// Memory of a device for an array.
 class RoomOnDevice {
 public:
@@ -31,6 +33,8 @@ public:
     virtual void pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups,
                              Group* chosen, const char* kernel, const void* view) = 0;
     virtual std::unique_ptr<RoomOnDevice> make_room() = 0;
+    /// Halo::exchange of an array of the device, of elements of so many bytes.
+    virtual void exchange(const Halo& halo, void* values, std::size_t bytes) = 0;
 };
 
 /// An array where the loops run: here, or on a device.

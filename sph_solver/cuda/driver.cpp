@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -35,6 +36,7 @@ struct Device::Library {
     std::size_t memory = 0;
     int multiprocessors = 0;
     int number = 0, count = 0;  ///< of the device, and of all
+    int usable = 0;
     std::map<std::string, void*> kernels;
 
     Result (*cuInit)(unsigned) = nullptr;
@@ -70,7 +72,7 @@ struct Device::Library {
     }
 
     /// Empty, or what is missing.
-    std::string load() {
+    std::string load(int process = 0) {
         const char* asked = std::getenv("TWINWAKE_LIBCUDA");
         file = asked && *asked ? asked : "libcuda.so.1";
         handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -103,24 +105,34 @@ struct Device::Library {
         if (const Result r = cuDeviceGetCount(&count)) return words(r);
         if (count == 0) return "the driver knows no device";
         std::string too_old;
+        std::vector<int> which;
         for (int k = 0; k < count; ++k) {
             int major = 0, minor = 0;
-            char buffer[256] = {};
-            if (cuDeviceGet(&device, k) || cuDeviceGetAttribute(&major, attribute_major, device) ||
-                cuDeviceGetAttribute(&minor, attribute_minor, device) || cuDeviceGetName(buffer, 255, device))
+            if (!look_at(k) || cuDeviceGetAttribute(&major, attribute_major, device) ||
+                cuDeviceGetAttribute(&minor, attribute_minor, device))
                 continue;
-            name = buffer;
-            if (major < oldest_major) {
+            if (major >= oldest_major)
+                which.push_back(k);
+            else
                 too_old = fmt::format("{} has compute capability {}.{}, and {}.0 is needed", name, major, minor,
                                       oldest_major);
-                continue;
-            }
-            cuDeviceGetAttribute(&multiprocessors, attribute_multiprocessors, device);
-            cuDeviceTotalMem(&memory, device);
-            number = k + 1;
-            return "";
         }
-        return too_old.empty() ? "the driver does not say what its device is" : too_old;
+        if (which.empty()) return too_old.empty() ? "the driver does not say what its device is" : too_old;
+        usable = static_cast<int>(which.size());
+        const int k = which[static_cast<std::size_t>(process % usable)];
+        look_at(k);
+        cuDeviceGetAttribute(&multiprocessors, attribute_multiprocessors, device);
+        cuDeviceTotalMem(&memory, device);
+        number = k + 1;
+        return "";
+    }
+
+    /// At the k-th of all; false: the driver does not know it.
+    bool look_at(int k) {
+        char buffer[256] = {};
+        if (cuDeviceGet(&device, k) || cuDeviceGetName(buffer, 255, device)) return false;
+        name = buffer;
+        return true;
     }
 
     std::string words(Result r) const {
@@ -148,11 +160,16 @@ double Device::memory_here() {
     return library.load().empty() ? double(library.memory) : 0;
 }
 
-std::shared_ptr<Device> Device::open() { return std::shared_ptr<Device>(new Device()); }
+int Device::count_here() {
+    Library library;
+    return library.load().empty() ? library.usable : 0;
+}
 
-Device::Device() : library_(std::make_unique<Library>()) {
+std::shared_ptr<Device> Device::open(int process) { return std::shared_ptr<Device>(new Device(process)); }
+
+Device::Device(int process) : library_(std::make_unique<Library>()) {
     Library& l = *library_;
-    if (const std::string against = l.load(); !against.empty())
+    if (const std::string against = l.load(process); !against.empty())
         throw InputError(
             fmt::format("a GPU was asked for, and {}; `twinwake doctor` says what was looked for", against));
     l.check(l.cuDevicePrimaryCtxRetain(&l.context, l.device), "opening it");
@@ -176,6 +193,7 @@ std::size_t Device::memory() const { return library_->memory; }
 int Device::multiprocessors() const { return library_->multiprocessors; }
 int Device::number() const { return library_->number; }
 int Device::of() const { return library_->count; }
+int Device::usable() const { return library_->usable; }
 
 std::size_t Device::free_memory() const {
     std::size_t free = 0, all = 0;

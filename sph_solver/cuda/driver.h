@@ -15,14 +15,15 @@ namespace tw::cuda {
 /// device that can be used, InputError says why.
 class Device {
 public:
-    /// The first of the machine's that can be used, in the driver's order: it hides those that CUDA_VISIBLE_DEVICES
-    /// does not name.
-    static std::shared_ptr<Device> open();
+    /// Of those of the machine that can be used, in the driver's order (it hides those that CUDA_VISIBLE_DEVICES does
+    /// not name), the first one, or that of the process with this number: counted on from the first one after the last.
+    static std::shared_ptr<Device> open(int process = 0);
     /// Why none can be used; empty: one can. Neither this nor its name opens it, which translates the kernels.
     static std::string reason_against();
     /// Of the one that would be opened; empty: there is none.
     static std::string name_here();
     static double memory_here();  ///< of that one, in use or not [B]; 0: there is none
+    static int count_here();      ///< of those that can be used
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -35,6 +36,7 @@ public:
     /// Which it is in that order, from 1 on, and how many there are.
     int number() const;
     int of() const;
+    int usable() const;  ///< of these
     /// Bytes copied since it was opened.
     struct Traffic {
         std::uint64_t to_device = 0, to_host = 0;
@@ -57,7 +59,7 @@ public:
     void finish();
 
 private:
-    Device();
+    explicit Device(int process);
     struct Library;
     std::unique_ptr<Library> library_;
     Traffic traffic_;
@@ -113,6 +115,10 @@ public:
     /// Into as many elements of the host, from the first or another one on.
     void give(std::span<T> to, std::size_t first = 0) const {
         if (!to.empty()) device_->to_host(to.data(), at_ + first * sizeof(T), to.size() * sizeof(T));
+    }
+    /// Over those from one on.
+    void put(std::span<const T> from, std::size_t first) {
+        if (!from.empty()) device_->to_device(at_ + first * sizeof(T), from.data(), from.size_bytes());
     }
     void copy(const Array& other) {
         resize(other.size_);

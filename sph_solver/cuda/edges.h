@@ -38,6 +38,15 @@ struct PlacesToAsk {
         wide[k] = to_fixed_point.wide(x.x, x.y, x.z);
     }
 };
+/// The same for a level that several ranks share.
+struct PlacesAhead {
+    StateView p;
+    double ahead;  ///< [s]
+    const int* which;
+    V3<double>* place;
+
+    void operator()(std::size_t k) const { place[k] = place_ahead(p, static_cast<std::size_t>(which[k]), ahead); }
+};
 /// The squares of their speeds.
 struct FastestOf {
     StateView p;
@@ -137,10 +146,11 @@ struct MarkGone {
     void operator()(std::size_t k) const { gone[which[k]] = 1; }
 };
 struct MarkStaying {
-    const int* gone;
+    const int* gone;  ///< null: none is
+    const char* own;  ///< copies of another rank's particles go; null: there are none
     int* stays;
 
-    void operator()(std::size_t i) const { stays[i] = !gone[i]; }
+    void operator()(std::size_t i) const { stays[i] = !(gone && gone[i]) && (!own || own[i]); }
 };
 struct MarkParents {
     const Kind* kind;

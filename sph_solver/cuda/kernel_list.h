@@ -59,7 +59,15 @@
     task(tw_mark_between,            cuda::MarkBetween)          \
     task(tw_take_located,            cuda::TakeLocated)          \
     task(tw_add_daughters,            cuda::AddChildren)          \
-    task(tw_forget_edge,             cuda::ForgetEdge)
+    task(tw_forget_edge,             cuda::ForgetEdge)           \
+    task(tw_pack_message,            cuda::PackMessage)          \
+    task(tw_unpack_message,          cuda::UnpackMessage)        \
+    task(tw_take_wide,               cuda::TakeWide)             \
+    task(tw_mark_in_columns,         cuda::MarkInColumns)        \
+    task(tw_mark_own,                cuda::MarkOwn)              \
+    task(tw_start_marked,            cuda::StartMarked)          \
+    task(tw_places_ahead,            cuda::PlacesAhead)          \
+    task(tw_work_of_groups,          cuda::WorkOfGroups)
 
 // The same, of tasks that count: they are given an atomic `add_one(counter)`.
 #define TW_DEVICE_COUNTING_TASKS(task)                \

@@ -19,6 +19,7 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/messages.h"
 #include "sph_solver/cuda/near_walls.h"
 #include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"

@@ -7,6 +7,7 @@
 #include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/messages.h"
 #include "sph_solver/cuda/near_walls.h"
 #include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"

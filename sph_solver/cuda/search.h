@@ -24,6 +24,22 @@ struct HasNeighbours {
     bool operator()(const Group& g) const { return g.list.size > 0; }
 };
 
+/// How many pairs the pair loops visit for a group, with the particles themselves.
+struct WorkOfGroups {
+    const Group* groups;
+    const NeighbourBlock *blocks, *wall_blocks;
+    int* work;
+
+    void operator()(std::size_t n) const {
+        const Group& g = groups[n];
+        int live = 0;
+        for (std::int32_t k = 0; k < g.list.size; ++k) live += __builtin_popcount(blocks[g.list.first + k].live);
+        for (std::int32_t k = 0; k < g.wall_list.size; ++k)
+            live += __builtin_popcount(wall_blocks[g.wall_list.first + k].live);
+        work[n] = g.size * (1 + live);
+    }
+};
+
 /// Who is within reach of each group's particles, block by block as Search in neighbours/columns.cpp finds them. A
 /// first run counts the blocks, a second one writes them.
 struct SearchNeighbours {

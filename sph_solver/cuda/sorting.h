@@ -130,9 +130,14 @@ constexpr int lanes_of_group = 8;
 struct CountGroups {
     const int* start;  ///< of bins
     int in_column;
+    const char* wanted;  ///< of each column; null: all are
     int* count;
 
     void operator()(std::size_t c) const {
+        if (wanted && !wanted[c]) {
+            count[c] = 0;
+            return;
+        }
         const auto of = [&](std::size_t column) { return start[column * static_cast<std::size_t>(in_column)]; };
         count[c] = (of(c + 1) - of(c) + lanes_of_group - 1) / lanes_of_group;
     }
@@ -140,11 +145,13 @@ struct CountGroups {
 struct MakeGroups {
     const int* start;
     int in_column;
-    const int* first;  ///< group of each column
+    const char* wanted;  ///< as of CountGroups
+    const int* first;    ///< group of each column
     Group* groups;
     int* column;  ///< of each group
 
     void operator()(std::size_t c) const {
+        if (wanted && !wanted[c]) return;
         const int end = start[(c + 1) * static_cast<std::size_t>(in_column)];
         int at = start[c * static_cast<std::size_t>(in_column)];
         for (int g = first[c]; at < end; ++g, at += lanes_of_group) {

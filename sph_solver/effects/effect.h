@@ -111,13 +111,11 @@ struct StepView {
     /// Lets ranks tell each other what a pair loop has left for particles, or for dummies: then loops may read it.
     template <class T>
     T* exchange(const OwnSums<T>& of) const {
-        halo.exchange(of.at_);
-        return of.at_;
+        return exchange_by(halo, of.at_);
     }
     template <class T>
     T* exchange_at_dummies(const OwnSums<T>& of) const {
-        dummies_halo.exchange(of.at_);
-        return of.at_;
+        return exchange_by(dummies_halo, of.at_);
     }
     /// For loops that make nothing of it but the particles' rates: these are exchanged after all effects.
     template <class T>
@@ -128,6 +126,16 @@ struct StepView {
     template <Law law, class T>
     void refresh(T* values) const {
         each(images, SeeValues<law, T>{links, maps, n, values});
+    }
+
+private:
+    template <class T>
+    T* exchange_by(const Halo& by, T* values) const {
+        if (device)
+            device->exchange(by, values, sizeof(T));
+        else
+            by.exchange(values);
+        return values;
     }
 };
 

@@ -46,6 +46,11 @@ struct LevelOnDevice::Arrays {
     cuda::Array<int> gone{device};
     cuda::Array<std::uint8_t> left{device};
     cuda::Array<WidePlace> wide{device};
+    // of several ranks only: which particles and columns are its own; which others may have to hear of
+    cuda::Array<char> own{device}, own_columns{device}, inner_columns{device};
+    cuda::Array<int> start{device}, new_start{device};  ///< first particle of each column
+    cuda::Array<int> at_border{device};
+    RunningSum work{device};
     SortedOnDevice order{device, bins}, image_order{device, bins};
     cuda::Array<Link> found{device}, links{device};
     cuda::Array<LinkMap> maps{device};
@@ -115,6 +120,11 @@ struct LevelOnDevice::Arrays {
     RunningSum following{device}, orphans{device};
     cuda::Array<int> which{device};
     cuda::Array<WidePlace> wide_of_others{device};
+    // what other ranks have answered
+    cuda::Array<V3<double>> places_ahead{device};
+    cuda::Array<int> found_order{device};
+    cuda::Array<VelocityDensityRecord> found_value{device};
+    cuda::Array<float> found_support{device}, found_mean{device}, found_compression{device};
     cuda::Array<Given> given{device};
     cuda::Array<int> at_edge{device};
     cuda::Array<double> outside{device}, asked_outside{device};  ///< of each; of those that the host was asked about
@@ -135,8 +145,9 @@ struct LevelOnDevice::Arrays {
             groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
             groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
             giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images, following, orphans,
-            which, wide_of_others, given, at_edge, outside, asked_outside, gone_at_edge, left_zone, located, parents,
-            daughters);
+            which, own, own_columns, inner_columns, start, new_start, at_border, work, places_ahead, found_order,
+            found_value, found_support, found_mean, found_compression, wide_of_others, given, at_edge, outside,
+            asked_outside, gone_at_edge, left_zone, located, parents, daughters);
         for (const auto& [apart, a] : asked)
             add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
         for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);

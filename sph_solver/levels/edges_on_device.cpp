@@ -48,6 +48,13 @@ std::size_t LevelOnDevice::list_marked() {
     return marked;
 }
 
+/// The same of those that this rank owns.
+std::size_t LevelOnDevice::list_marked_own() {
+    Arrays& on = *on_;
+    if (shared()) cuda::launch(*device_, cuda::MarkOwn{on.own.data(), on.following.marks()}, on.p.size());
+    return list_marked();
+}
+
 EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
                                       const Asking& asking) {
     if (host_counts_) take_state();
@@ -59,8 +66,8 @@ EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const
     label_all(cuda::LabelFineKnown{ask, label, on.p.view(), on.p.from_edge.data(), on.outside.data(), on.at_edge.data(),
                                    on.count.data()},
               zone);
-    const std::size_t leaving = list_marked();
-    if (leaving == 0) return {};
+    const std::size_t leaving = list_marked_own();
+    if (leaving == 0 && !shared()) return {};
     on.left_zone.resize(leaving);
     cuda::launch(*device_,
                  cuda::LeaveZone{.become = {on.p.kind.data()},
@@ -79,6 +86,7 @@ EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const
         spray.count += l.stays;
         if (l.stays && l.far) spray.far.push_back(l.at);
     }
+    loops_.halo().exchange({of_each(on.p.kind.data())});
     return spray;
 }
 
@@ -87,18 +95,34 @@ std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
     const std::size_t n = on.p.size();
     on.which.take(std::vector<int>(more.begin(), more.end()));
     cuda::launch(*device_, cuda::MarkGone{on.which.data(), on.gone_at_edge.data()}, more.size());
-    cuda::launch(*device_, cuda::MarkStaying{on.gone_at_edge.data(), on.following.of(n)}, n);
+    cuda::launch(*device_, cuda::MarkStaying{on.gone_at_edge.data(), or_null(on.own), on.following.of(n)}, n);
     const std::size_t staying = list_marked();
-    if (staying == n) return 0;
-    on.p.each_moving_with(on.sorted,
-                          [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? staying : 0); });
-    cuda::launch(*device_, cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, staying);
-    on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
-    level_.particles.resize(staying);
-    on.gone_at_edge.resize(staying);
+    const std::int64_t merges =
+        share_.ranks().sum(static_cast<std::int64_t>(n) - static_cast<std::int64_t>(share_.copies() + staying));
+    if (merges > 0) {
+        keep(staying);
+        on.gone_at_edge.resize(staying);
+    }
     on.gone_at_edge.set_zero();
+    return merges;
+}
+
+/// Of all particles those that are marked in `following`, so many, which are listed in `which`.
+void LevelOnDevice::keep(std::size_t marked) {
+    Arrays& on = *on_;
+    on.p.each_moving_with(on.sorted,
+                          [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? marked : 0); });
+    cuda::launch(*device_, cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, marked);
+    on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+    level_.particles.resize(marked);
     home_ = false;
-    return static_cast<std::int64_t>(n - staying);
+    if (!shared()) return;
+    const std::size_t columns = on.start.size();
+    on.new_start.resize(columns);
+    cuda::launch(*device_, cuda::StartMarked{on.start.data(), on.following.before(), on.new_start.data()}, columns);
+    on.new_start.give(level_.near.start);
+    share_.note_let_go(marked);
+    take_own();
 }
 
 std::vector<Parent> LevelOnDevice::find_parents(double within) {
@@ -113,6 +137,8 @@ std::vector<Parent> LevelOnDevice::find_parents(double within) {
                  parents.size());
     on.parents.give(parents);
     home_ = false;
+    if (shared())
+        std::erase_if(parents, [&](const Parent& p) { return !share_.owns(static_cast<std::size_t>(p.index)); });
     return parents;
 }
 
@@ -127,7 +153,7 @@ std::vector<Located> LevelOnDevice::located(const int* which, std::size_t n) {
 }
 
 std::vector<Located> LevelOnDevice::marked() {
-    const std::size_t n = list_marked();
+    const std::size_t n = list_marked_own();
     return located(on_->which.data(), n);
 }
 
@@ -145,11 +171,16 @@ std::vector<Located> LevelOnDevice::buffers() {
 
 void LevelOnDevice::add(const std::vector<Child>& daughters) {
     Arrays& on = *on_;
+    if (shared()) {  // copies would stand among them
+        cuda::launch(*device_, cuda::MarkStaying{nullptr, on.own.data(), on.following.of(on.p.size())}, on.p.size());
+        keep(list_marked());
+    }
     const std::size_t n = on.p.size();
     level_.particles.resize(n + daughters.size());
     on.p.each_moving_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
     on.daughters.take(daughters);
     cuda::launch(*device_, cuda::AddChildren{on.daughters.data(), on.p.all(), n}, daughters.size());
+    if (shared()) share_.own_added(), take_own();
     home_ = false;
 }
 
@@ -168,7 +199,7 @@ std::size_t LevelOnDevice::list_following(bool buffers) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     cuda::launch(*device_, cuda::MarkFollowing{on.p.kind.data(), buffers, on.following.of(n)}, n);
-    return list_marked();
+    return list_marked_own();
 }
 
 /// How many of `n` are orphans.
@@ -190,20 +221,24 @@ Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking,
     const std::size_t n = list_following(true);
     follow.p = on.p.view(), follow.trend = on.p.trend.data();
     Followed followed{fastest2_of_following(), 0};
-    if (n == 0) return followed;
+    if (n == 0 && !shared()) return followed;
     const cuda::FoundAt found = ask_other(coarser, follow.moved, asking);
     followed.orphans = hand(cuda::HandToBuffers{follow, found, on.which.data(), on.orphans.of(n)}, n);
-    return followed;
+    loops_.halo().exchange({of_each(on.p.trend.data()), of_each(on.p.drho.data())});
+    return share_.ranks().sum(followed);
 }
 
 Followed LevelOnDevice::follow_finer(EdgeSteps& finer, const Asking& asking, FollowFiner follow) {
     Arrays& on = *on_;
     const std::size_t n = list_following(false);
-    if (n == 0) return {};
+    if (n == 0 && !shared()) return {};
     follow.p = on.p.view(), follow.kind = on.p.kind.data();
     follow.shift = on.p.shift_support.data(), follow.compression = on.p.compression.data();
     const cuda::FoundAt found = ask_other(finer, 0, asking);
-    return {0, hand(cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n)};
+    const std::int64_t orphans = hand(cuda::HandToUnder{follow, found, on.which.data(), on.orphans.of(n)}, n);
+    loops_.halo().exchange({of_each(on.p.u.data()), of_each(on.p.v.data()), of_each(on.p.w.data()),
+                            of_each(on.p.drho.data()), of_each(on.p.compression.data())});
+    return share_.ranks().sum(Followed{0, orphans});
 }
 
 }  // namespace tw

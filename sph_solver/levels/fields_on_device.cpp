@@ -1,4 +1,6 @@
 // Fields of a level on a device at points that are none of its particles: samples, and the particles of other levels.
+#include <numeric>
+
 #include "sph_solver/levels/arrays_on_device.h"
 #include "sph_solver/pair_loops/interpolate.h"
 
@@ -15,6 +17,7 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     places.take(points.places), groups.take(points.groups);
     column.take(columns_of(points.groups, points.start));
     p.resize(n), support.resize(n);
+    p.set_zero(), support.set_zero();  // at those of other ranks nothing is found
     lists.build(level_.grid, level_.grid, places.data(), column, groups, sources(),
                 level_.reaches_of_points(level_.kernel) / level_.fixed_point.size);
     ExtrapolateData e = to;
@@ -79,6 +82,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
 
 /// Fields of another level where those in `which` are, or will be after a time [s].
 cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Asking& asking) {
+    if (shared()) return ask_ranks(level, ahead, asking);
     Arrays& on = *on_;
     auto& other = static_cast<LevelOnDevice&>(level);
     const std::size_t n = on.which.size();
@@ -90,9 +94,37 @@ cuda::FoundAt LevelOnDevice::ask_other(EdgeSteps& level, double ahead, const Ask
     return other.ask(on.wide_of_others, asking);
 }
 
+/// The same of several ranks, each of which has its part of the other level.
+cuda::FoundAt LevelOnDevice::ask_ranks(EdgeSteps& level, double ahead, const Asking& asking) {
+    Arrays& on = *on_;
+    const std::size_t n = on.which.size();
+    on.places_ahead.resize(n);
+    cuda::launch(*device_, cuda::PlacesAhead{on.p.view(), ahead, on.which.data(), on.places_ahead.data()}, n);
+    std::vector<V3<double>> places(n);
+    on.places_ahead.give(places);
+    FieldsAt at{asking};
+    for (const V3<double>& x : places) at.places.emplace_back(x.x, x.y, x.z);
+    level.interpolate(at);
+    std::vector<int> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    on.found_order.take(order);
+    on.found_value.take(at.value), on.found_support.take(at.support), on.found_mean.take(at.mean_support);
+    on.found_compression.take(at.compression);
+    return {on.found_order.data(), on.found_value.data(), on.found_support.data(), on.found_mean.data(),
+            or_null(on.found_compression)};
+}
+
 void LevelOnDevice::interpolate(FieldsAt& at) {
     at.resize();
-    if (at.places.empty()) return;
+    if (shared())
+        share_.interpolate_together(at, [this](FieldsAt& here) { interpolate_here(here); });
+    else if (!at.places.empty())
+        interpolate_here(at);
+}
+
+void LevelOnDevice::interpolate_here(FieldsAt& at) {
+    at.resize();
+    if (at.places.empty()) return update_records();  // as the other ranks do
     Arrays& on = *on_;
     std::vector<WidePlace> wide;
     for (const Vec3& x : at.places) wide.push_back(level_.fixed_point.wide(x));

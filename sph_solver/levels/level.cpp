@@ -106,7 +106,7 @@ void Level::first_pair_loop(double t, double compress, double drift, const Other
         steps_->first_pair_loop(other);
     }
     const Stopwatch watch(timers_.update);
-    share_.tell_first_pair_loop();
+    steps_->exchange_first_sums();
     steps_->mark_surface();
     each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_pair_loop(view); });
     note_compression();
@@ -121,7 +121,7 @@ void Level::second_pair_loop(double t) {
         const Stopwatch watch(timers_.walls);
         put_walls(t);
         steps_->press_walls();
-        system_.walls.halo().exchange(system_.walls.pressures().data());
+        steps_->exchange_pressures();
     }
     {
         const Stopwatch watch(timers_.forces);
@@ -130,10 +130,6 @@ void Level::second_pair_loop(double t) {
     const Stopwatch watch(timers_.effects);
     each_effect(t, [](Effect& effect, const StepView& view) { effect.add_rates(view); });
     steps_->copy_loads_to_host();
-}
-
-void Level::exchange_rates() {
-    share_.halo().exchange(system_.particles.rate.data(), system_.particles.shift_support.data());
 }
 
 void Level::put_walls(double t) {
@@ -243,6 +239,13 @@ void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
     share_.let_go(gone);
     share_.take_out(static_cast<std::int64_t>(ids.size()));
     start_anew();
+}
+
+void Level::share_out() {
+    if (!share_.is_whole()) return;
+    home();
+    steps_->note_changed_state();
+    share_.share_out();
 }
 
 void Level::mark_restart_point() {

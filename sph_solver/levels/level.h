@@ -118,8 +118,11 @@ public:
     bool owns(std::size_t i) const { return share_.owns(i); }
     std::size_t copies() const { return share_.copies(); }
     void share_columns_with(Level& leading) { share_.share_columns_with(leading.share_); }
-    Particles gathered() const { return share_.gathered(); }
-    void share_out() { share_.share_out(); }
+    Particles gathered() const {
+        home();
+        return share_.gathered();
+    }
+    void share_out();
     /// Calls `add(sum, i)` for every particle, and sums over all ranks; `Sum` as that of sum_over.
     template <class Sum, class Add>
     Sum sum_over_all(const Add& add) const {
@@ -143,7 +146,7 @@ public:
     void first_pair_loop(double t, double compress, double drift, const OtherSums* other);
     void second_pair_loop(double t);
     /// Of several ranks: the rates are whole, and told to who holds copies.
-    void exchange_rates();
+    void exchange_rates() { steps_->exchange_rates(); }
     /// Loads on bodies that stay where they are may wait for the end of `advance`.
     void gather_loads(const Vec3& moment_reference);
     /// Of the level's water on the dummies of one body, in the order in which the walls hold them

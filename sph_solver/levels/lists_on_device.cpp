@@ -43,14 +43,16 @@ std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left
     return static_cast<std::size_t>(all);
 }
 
-void GroupsOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places) {
+void GroupsOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
+                          const char* wanted) {
     const auto n = static_cast<std::size_t>(columns.count());
-    cuda::launch(device_, cuda::CountGroups{order.start(), order.in_column(), before_.of(n)}, n);
+    cuda::launch(device_, cuda::CountGroups{order.start(), order.in_column(), wanted, before_.of(n)}, n);
     const auto count = static_cast<std::size_t>(before_.add_up());
     groups_.resize(count), column_.resize(count);
-    cuda::launch(device_,
-                 cuda::MakeGroups{order.start(), order.in_column(), before_.before(), groups_.data(), column_.data()},
-                 n);
+    cuda::launch(
+        device_,
+        cuda::MakeGroups{order.start(), order.in_column(), wanted, before_.before(), groups_.data(), column_.data()},
+        n);
     cuda::launch(device_, cuda::CentreGroups{columns, places, column_.data(), groups_.data()}, count);
 }
 

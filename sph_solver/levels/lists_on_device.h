@@ -18,9 +18,12 @@ public:
         return of_.data();
     }
     void set_zero() { of_.set_zero(); }
+    std::size_t size() const { return of_.size(); }
+    void give(std::span<int> to) const { of_.give(to); }
     /// After they were written; gives the sum of all.
     int add_up();
     const int* numbers() const { return of_.data(); }
+    int* marks() { return of_.data(); }             ///< the same, to be changed before they are added up
     int* before() const { return before_.data(); }  ///< one more than there are numbers: the last is the sum of all
     void give_before(std::vector<std::int32_t>& to, std::size_t stride) const;
     std::size_t bytes() const { return of_.bytes() + before_.bytes() + sums_.bytes(); }
@@ -68,7 +71,9 @@ class GroupsOnDevice {
 public:
     explicit GroupsOnDevice(cuda::Device& device)
         : device_(device), before_(device), groups_(device), column_(device) {}
-    void make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places);
+    /// `wanted`: which columns; null: all.
+    void make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
+              const char* wanted = nullptr);
     const cuda::Array<Group>& groups() const { return groups_; }
     cuda::Array<Group>& groups() { return groups_; }
     std::size_t size() const { return groups_.size(); }

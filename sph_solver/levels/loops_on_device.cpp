@@ -66,6 +66,12 @@ void LoopsOnDevice::pairs_where(const char* choose_kernel, const void* condition
     device_->launch(kernel, n * cuda::warp, arguments);
 }
 
+void LoopsOnDevice::exchange(const Halo& halo, void* values, std::size_t bytes) {
+    HaloOnDevice& own = halo_.is(halo) ? halo_ : dummies_halo_;
+    own.exchange(
+        {{static_cast<std::byte*>(values), static_cast<std::int32_t>(bytes), static_cast<std::int32_t>(bytes)}});
+}
+
 std::unique_ptr<RoomOnDevice> LoopsOnDevice::make_room() { return std::make_unique<Room>(device_); }
 
 }  // namespace tw

@@ -3,6 +3,7 @@
 
 #include "sph_solver/backend/device_loops.h"
 #include "sph_solver/cuda/driver.h"
+#include "sph_solver/levels/halo_on_device.h"
 
 namespace tw {
 
@@ -10,19 +11,27 @@ namespace tw {
 class LoopsOnDevice : public DeviceLoops {
 public:
     explicit LoopsOnDevice(std::shared_ptr<cuda::Device> device)
-        : device_(std::move(device)), parts_(*device_), count_(*device_) {}
+        : device_(std::move(device)), parts_(*device_), count_(*device_), halo_(*device_), dummies_halo_(*device_) {}
     void each(const char* kernel, const void* body, std::size_t count) override;
     double largest(const char* kernel, const void* value, std::size_t count) override;
     void pairs(const char* kernel, const void* view, std::span<const Group> groups) override;
     void pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups, Group* chosen,
                      const char* kernel, const void* view) override;
     std::unique_ptr<RoomOnDevice> make_room() override;
-    std::size_t bytes() const { return parts_.bytes() + count_.bytes(); }
+    void exchange(const Halo& halo, void* values, std::size_t bytes) override;
+    /// Of the particles and of the dummies, from now on.
+    void take_halos(const Halo& of_particles, const Halo& of_dummies) {
+        halo_.take(of_particles), dummies_halo_.take(of_dummies);
+    }
+    HaloOnDevice& halo() { return halo_; }
+    HaloOnDevice& dummies_halo() { return dummies_halo_; }
+    std::size_t bytes() const { return parts_.bytes() + count_.bytes() + halo_.bytes() + dummies_halo_.bytes(); }
 
 private:
     std::shared_ptr<cuda::Device> device_;
     cuda::Array<double> parts_;
     cuda::Array<int> count_;  ///< of chosen groups
+    HaloOnDevice halo_, dummies_halo_;
 };
 
 }  // namespace tw

@@ -1,5 +1,8 @@
 // Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and
 // walls.
+#include <functional>
+#include <numeric>
+
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/levels/arrays_on_device.h"
 
@@ -8,10 +11,18 @@ namespace tw {
 void LevelOnDevice::make_lists(double drift) {
     Arrays& on = *on_;
     const auto [among, to_walls] = level_.reaches_of_lists(drift);
-    if (host_counts_) take_state();
-    cross_faces();
-    sort_particles();
-    find_images(std::max(among.far, to_walls.far));
+    const double reach = std::max(among.far, to_walls.far);
+    if (shared()) {
+        cross_and_hold(reach);
+        sort_particles(nullptr);
+    } else {
+        if (host_counts_) take_state();
+        cross_faces();
+        sort_particles(on.left.data());
+    }
+    if (!level_.walls.empty()) level_.walls.sort(level_.grid, level_.fixed_point, cuda::lanes_of_group);
+    if (shared()) note_own();
+    find_images(reach);
     Particles& p = level_.particles;
     const std::size_t n = on.p.size();
     p.resize(n);
@@ -23,19 +34,119 @@ void LevelOnDevice::make_lists(double drift) {
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
     update_records();
-    on.groups.make(level_.grid, on.order, on.p.place.data());
+    on.groups.make(level_.grid, on.order, on.p.place.data(), or_null(on.own_columns));
     const std::vector<cuda::DeviceSource> water = sources();
     on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), water,
                    among / level_.fixed_point.size);
     if (!level_.walls.empty()) {
-        level_.walls.sort(level_.grid, level_.fixed_point, cuda::lanes_of_group);
-        if (level_.walls.move()) take_sorted_dummies();
+        if (level_.walls.move() || shared()) take_sorted_dummies();
+        if (shared()) on.wall_p.set_zero();  // what no rank works out that holds them
         for (Arrays::Part& part : on.parts)
             part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.column, part.groups,
                              water, to_walls / level_.fixed_point.size);
         find_walls(to_walls);
     }
+    if (shared()) note_work();
     home_ = order_is_home_ = false;
+}
+
+/// As RankShare::cross_and_hold. The host sees particles that are sent to other ranks, or may have come from them: those
+/// of columns that several ranks hold. All others stay where they are.
+void LevelOnDevice::cross_and_hold(double reach) {
+    Arrays& on = *on_;
+    if (host_counts_ || share_.is_whole()) {
+        bring_all_home();
+        share_.cross_and_hold(reach);
+        take_state();
+    } else {
+        share_.divide_columns();
+        cuda::launch(*device_, cuda::MarkStaying{nullptr, on.own.data(), on.following.of(on.p.size())}, on.p.size());
+        keep(list_marked());
+        const Ledger before = level_.ledger;
+        cross_faces();
+        const std::vector<std::int32_t> entered = list_entered();
+        const std::size_t all = on.p.size();
+        share_.find_holders(reach);
+        on.inner_columns.take(share_.inner_columns());
+        const auto list_in = [&](bool inner) {
+            cuda::launch(*device_,
+                         cuda::MarkInColumns{level_.grid, on.wide.data(), on.left.data(), on.inner_columns.data(),
+                                             inner, on.following.of(all)},
+                         all);
+            return list_marked();
+        };
+        const std::size_t at_border = list_in(false);
+        on.at_border.swap(on.which);
+        const std::size_t inner = list_in(true);
+        level_.ledger.out += static_cast<std::int64_t>(all - at_border - inner);
+        const std::vector<std::int64_t> ids = share_.agree_on_crossings(before, entered);
+        on.p.id.put(ids, all - ids.size());
+
+        Particles& p = level_.particles;
+        const auto sort_out = [&](const cuda::Array<int>& which, std::size_t n) {
+            on.p.each_moving_with(on.sorted,
+                                  [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
+            cuda::launch(*device_, cuda::Reorder{which.data(), on.p.all(), on.sorted.all()}, n);
+        };
+        sort_out(on.at_border, at_border);
+        p.resize(at_border);
+        on.sorted.each_moving_with(p, [](const auto& sorted, auto& at_home) { sorted.give(at_home); });
+        sort_out(on.which, inner);
+        on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
+        std::vector<std::int32_t> staying(at_border);
+        std::iota(staying.begin(), staying.end(), 0);
+        share_.hold_columns(staying);
+        on.p.each_moving_with(p, [&](auto& field, const auto& at_home) {
+            if (at_home.empty()) return;
+            field.grow(inner + at_home.size());
+            field.put(at_home, inner);
+        });
+    }
+    on.wide.resize(on.p.size());
+    cuda::launch(*device_, cuda::TakeWide{on.p.view(), level_.to_fixed_point(), on.wide.data()}, on.p.size());
+}
+
+/// Particles in place of which the inlet has let others in; the new ones stand behind all, in this order.
+std::vector<std::int32_t> LevelOnDevice::list_entered() {
+    if (!level_.around.stream) return {};
+    Arrays& on = *on_;
+    const std::size_t n = on.entered.size();
+    std::vector<std::int32_t> entered(on.p.size() - n);
+    on.which.resize(entered.size());
+    cuda::launch(*device_, cuda::ListMarked{on.entered.numbers(), on.entered.before(), on.which.data()}, n);
+    on.which.give(entered);
+    return entered;
+}
+
+/// The particles are sorted.
+void LevelOnDevice::note_own() {
+    Arrays& on = *on_;
+    on.order.give_start(level_.near.start);
+    level_.particles.resize(on.p.size());
+    share_.note_own();
+    take_own();
+    const std::function<bool(int)> own = share_.own_columns();
+    std::vector<char> columns(static_cast<std::size_t>(level_.grid.count()));
+    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = own(static_cast<int>(c));
+    on.own_columns.take(columns);
+    loops_.take_halos(share_.halo(), level_.walls.halo());
+}
+
+/// Which particles are its own, and where they stand.
+void LevelOnDevice::take_own() {
+    on_->own.take({share_.own(), level_.particles.size()});
+    on_->start.take(level_.near.start);
+}
+
+void LevelOnDevice::note_work() {
+    Arrays& on = *on_;
+    const std::size_t n = on.groups.size();
+    cuda::launch(
+        *device_,
+        cuda::WorkOfGroups{on.groups.groups().data(), on.lists.blocks(), on.wall_lists.blocks(), on.work.of(n)}, n);
+    std::vector<int> work(n);
+    on.work.give(work);
+    share_.note_work(work);
 }
 
 /// Where neighbours among the level's particles and images are looked for.
@@ -97,9 +208,9 @@ void LevelOnDevice::cross_faces() {
                  all);
 }
 
-void LevelOnDevice::sort_particles() {
+void LevelOnDevice::sort_particles(const std::uint8_t* left) {
     Arrays& on = *on_;
-    const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), on.left.data(), on.p.id.data(), all);
+    const std::size_t all = on.p.size(), n = on.order.sort(on.wide.data(), left, on.p.id.data(), all);
     level_.ledger.out += static_cast<std::int64_t>(all - n);
     on.p.each_moving_with(on.sorted, [&](const auto& field, auto& sorted) { sorted.resize(field.size() > 0 ? n : 0); });
     cuda::launch(*device_, cuda::Reorder{on.order.order(), on.p.all(), on.sorted.all()}, n);
@@ -183,11 +294,17 @@ void LevelOnDevice::ask_walls(std::size_t groups) {
     });
     on.walls_found.take(found);
     cuda::launch(*device_, cuda::PutWalls{on.walls_found.data(), on.p.all()}, asked);
+    if (shared()) {
+        HaloOnDevice& halo = loops_.halo();
+        halo.exchange({of_each(on.p.wall_normal.data()), of_each(on.p.wall_leaving.data())});
+        if (level_.walls.move()) halo.exchange({of_each(on.p.wall_body.data())});
+        if (level_.walls.any_deformable()) halo.exchange({of_each(on.p.wall_triangle.data())});
+    }
     std::optional<std::size_t> through;
     for (std::size_t k = 0; k < asked; ++k)
         if (found[k].index >= 0 && double(found[k].wall.normal.distance) < -level_.setup.dp && is_active(near[k].kind))
             through = static_cast<std::size_t>(found[k].index);
-    if (!through) return;
+    if (share_.ranks().sum(std::int64_t{through.has_value()}) == 0) return;
     home_ = order_is_home_ = false;
     bring_all_home();
     share_.fail_through_wall(through);

@@ -1,7 +1,6 @@
 // Who is whose neighbour in a level on a processor: sorting, images, groups, lists and wall normals; and the packed
 // arrays that the pair loops read.
 #include <algorithm>
-#include <numeric>
 
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/levels/on_processor.h"
@@ -33,29 +32,11 @@ std::vector<Source> LevelOnProcessor::sources() const {
 }
 
 void LevelOnProcessor::make_lists(double drift) {
-    const LevelSetup& s = level_.setup;
     Particles& p = level_.particles;
-
     const bool shared = share_.ranks().many();
-    if (shared) {
-        share_.divide_columns();
-        share_.let_go({});
-    }
-    const Ledger before = level_.ledger;
-    const auto [gone, entered] = cross_open_boundaries(level_.around, s.dp, p, level_.ledger);
-    std::vector<std::int32_t> index;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));
-    level_.ledger.out += static_cast<std::int64_t>(p.size() - index.size());
-
     const auto [among, to_walls] = level_.reaches_of_lists(drift);
     const double reach = std::max(among.far, to_walls.far);
-    if (shared) {
-        share_.agree_on_crossings(before, entered);
-        share_.hold_columns(index, std::max(reach, level_.reach_of_others()));
-        index.resize(p.size());
-        std::iota(index.begin(), index.end(), 0);
-    }
+    const std::vector<std::int32_t> index = share_.cross_and_hold(reach);
 
     std::vector<WidePlace> kept(index.size());
     for_particles(kept.size(), [&](std::size_t k) {
@@ -78,13 +59,16 @@ void LevelOnProcessor::make_lists(double drift) {
 
     const std::vector<Source> own = sources();
     make_groups(own.front(), level_.passes.lanes, level_.near.groups, share_.own_columns());
-    if (shared) share_.note_columns_of_groups();
     level_.near.lists.build(level_.passes, level_.fixed_point, own.front(), level_.near.groups, own, among);
     if (!level_.walls.empty()) {
         level_.walls.find_neighbours(level_.passes, level_.grid, level_.fixed_point, level_.near.groups, own, to_walls,
                                      share_.own_columns());
         find_normals();
     }
+    if (!shared) return;
+    std::vector<int> work;
+    for (const Group& g : level_.near.groups) work.push_back(static_cast<int>(g.size * (1 + level_.live_pairs(g))));
+    share_.note_work(work);
 }
 
 void LevelOnProcessor::find_normals() {

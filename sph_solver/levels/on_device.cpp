@@ -6,7 +6,7 @@
 
 namespace tw {
 
-LevelOnDevice::LevelOnDevice(ParticleSystem& level, const RankShare& share, std::shared_ptr<cuda::Device> device)
+LevelOnDevice::LevelOnDevice(ParticleSystem& level, RankShare& share, std::shared_ptr<cuda::Device> device)
     : level_(level),
       share_(share),
       device_(std::move(device)),
@@ -33,8 +33,13 @@ void LevelOnDevice::take_sorted_dummies() {
     for (std::size_t b = 0; b < on_->parts.size(); ++b) {
         const Walls::Part& part = walls.parts()[b];
         Arrays::Part& on = on_->parts[b];
-        on.start.take(part.start), on.groups.take(part.groups);
-        on.column.take(columns_of(part.groups, part.start));
+        std::vector<Group> own;
+        if (shared())
+            make_groups({&level_.grid, walls.places().data() + part.first, &part.start, 0}, cuda::lanes_of_group, own,
+                        share_.own_columns());
+        const std::vector<Group>& groups = shared() ? own : part.groups;
+        on.start.take(part.start), on.groups.take(groups);
+        on.column.take(columns_of(groups, part.start));
     }
     on_->wall_place.take(walls.places());
     take_dummies();
@@ -83,6 +88,7 @@ LevelOnDevice::~LevelOnDevice() = default;
 
 void LevelOnDevice::take_state() {
     on_->p.each_moving_with(level_.particles, [](auto& on, const auto& field) { on.take(field); });
+    if (shared()) take_own();
     host_counts_ = false;
 }
 
@@ -94,7 +100,7 @@ void LevelOnDevice::bring_all_home() {
     on.surface.give(p.surface);
     on.wall_p.give(level_.walls.pressures());
     if (!order_is_home_) {
-        on.order.give_start(level_.near.start);
+        if (!shared()) on.order.give_start(level_.near.start);  // else it is there
         std::vector<Link> links(on.links.size());
         on.links.give(links);
         std::vector<std::int32_t> start;
@@ -124,6 +130,7 @@ KindCounts LevelOnDevice::count(CountKinds kinds) {
     on.kinds.resize(1);
     on.kinds.set_zero();
     kinds.kind = on.p.kind.data(), kinds.x = on.p.x.data(), kinds.counts = on.kinds.data();
+    kinds.own = or_null(on.own);
     cuda::launch(*device_, kinds, on.p.size());
     return on.kinds.value(0);
 }
@@ -232,6 +239,14 @@ void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     home_ = false;
 }
 
+void LevelOnDevice::exchange_first_sums() {
+    const Arrays::Fields& p = on_->p;
+    loops_.halo().exchange(
+        {of_each(p.gradient_pressure.data(), offsetof(GradientPressureRecord, gx), 3 * sizeof(float)),
+         of_each(p.shift_support.data(), offsetof(ShiftSupportRecord, support), sizeof(float)),
+         of_each(p.rate.data(), offsetof(RateRecord, drho), sizeof(float))});
+}
+
 void LevelOnDevice::mark_surface() {
     Arrays& on = *on_;
     cuda::launch(*device_,
@@ -270,6 +285,8 @@ void LevelOnDevice::press_walls() {
     }
 }
 
+void LevelOnDevice::exchange_pressures() { loops_.dummies_halo().exchange({of_each(on_->wall_p.data())}); }
+
 void LevelOnDevice::second_pair_loop(double t) {
     Arrays& on = *on_;
     SecondPairLoopData d = level_.second_pair_loop_data(t);
@@ -278,6 +295,10 @@ void LevelOnDevice::second_pair_loop(double t) {
     d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data(), d.wall_load = on.wall_load.data();
     cuda::launch_pairs(*device_, d, on.groups.groups());
     home_ = false;
+}
+
+void LevelOnDevice::exchange_rates() {
+    loops_.halo().exchange({of_each(on_->p.rate.data()), of_each(on_->p.shift_support.data())});
 }
 
 void LevelOnDevice::copy_loads_to_host() { on_->wall_load.give(level_.walls.group_loads()); }

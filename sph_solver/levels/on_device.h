@@ -19,7 +19,7 @@ namespace tw {
 class LevelOnDevice : public StepMaker {
 public:
     /// Both must outlive this; lists are made afterwards.
-    LevelOnDevice(ParticleSystem& level, const RankShare& share, std::shared_ptr<cuda::Device> device);
+    LevelOnDevice(ParticleSystem& level, RankShare& share, std::shared_ptr<cuda::Device> device);
     ~LevelOnDevice() override;
 
     void bring_all_home() override;
@@ -37,11 +37,14 @@ public:
 
     StepView step_view(double t) override;
     void first_pair_loop(const OtherSums* other) override;
+    void exchange_first_sums() override;
     void mark_surface() override;
     void compress(double compress, double drift) override;
     void refresh_images(double t) override { refresh_images(t, true); }
     void press_walls() override;
+    void exchange_pressures() override;
     void second_pair_loop(double t) override;
+    void exchange_rates() override;
     void copy_loads_to_host() override;
 
     Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
@@ -74,8 +77,15 @@ private:
     NearWalls near_walls();
     const SkinMotion* take_skins();
     std::vector<cuda::DeviceSource> sources() const;
+    bool shared() const { return share_.ranks().many(); }
     void cross_faces();
-    void sort_particles();
+    void cross_and_hold(double reach);
+    std::vector<std::int32_t> list_entered();
+    void keep(std::size_t marked);
+    void take_own();
+    void note_own();
+    void note_work();
+    void sort_particles(const std::uint8_t* left);
     void find_images(double reach);
     void find_walls(const Reaches& reaches);
     void ask_walls(std::size_t groups);
@@ -88,16 +98,19 @@ private:
     template <class Label>
     void label_all(const cuda::LabelKnown<Label>& task, const Zone& zone);
     std::size_t list_marked();
+    std::size_t list_marked_own();
     std::vector<Located> located(const int* which, std::size_t n);
     std::vector<Located> marked();
     cuda::FoundAt ask_other(EdgeSteps& level, double ahead, const Asking& asking);
+    cuda::FoundAt ask_ranks(EdgeSteps& level, double ahead, const Asking& asking);
+    void interpolate_here(FieldsAt& at);
     std::size_t list_following(bool buffers);
     template <class Task>
     std::int64_t hand(const Task& task, std::size_t n);
     double fastest2_of_following();
 
     ParticleSystem& level_;
-    const RankShare& share_;
+    RankShare& share_;
     std::shared_ptr<cuda::Device> device_;
     LoopsOnDevice loops_;
     std::unique_ptr<Arrays> on_;

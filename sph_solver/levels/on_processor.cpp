@@ -113,8 +113,8 @@ std::vector<Moved> LevelOnProcessor::move(const Move& by, const Hold& hold) {
 KindCounts LevelOnProcessor::count(CountKinds kinds) {
     KindCounts counts;
     kinds.kind = level_.particles.kind.data(), kinds.x = level_.particles.x.data(), kinds.counts = &counts;
-    for (std::size_t i = 0; i < level_.particles.size(); ++i)
-        if (share_.owns(i)) kinds(i, [](int* count) { ++*count; });
+    kinds.own = share_.own();
+    for (std::size_t i = 0; i < level_.particles.size(); ++i) kinds(i, [](int* count) { ++*count; });
     return counts;
 }
 

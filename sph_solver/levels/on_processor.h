@@ -28,11 +28,16 @@ public:
 
     StepView step_view(double t) override { return level_.step_view(t, share_.halo()); }
     void first_pair_loop(const OtherSums* other) override;
+    void exchange_first_sums() override { share_.exchange_first_sums(); }
     void mark_surface() override;
     void compress(double compress, double drift) override;
     void refresh_images(double t) override;
     void press_walls() override;
+    void exchange_pressures() override { level_.walls.halo().exchange(level_.walls.pressures().data()); }
     void second_pair_loop(double t) override;
+    void exchange_rates() override {
+        share_.halo().exchange(level_.particles.rate.data(), level_.particles.shift_support.data());
+    }
     void copy_loads_to_host() override {}
 
     Vec3 centre_of_group(std::size_t k) const override;

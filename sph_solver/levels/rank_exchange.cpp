@@ -23,7 +23,7 @@ void RankShare::exchange_samples(PointSamples& points) const {
         ranks().take_from_owners(std::span(*values));
 }
 
-void RankShare::tell_first_pair_loop() {
+void RankShare::exchange_first_sums() {
     struct Sums {
         float gx, gy, gz, support, drho;
     };

@@ -36,6 +36,7 @@ void RankShare::begin_whole() {
     whole_ = true;
     own_.assign(level_.particles.size(), ranks().first() ? 1 : 0);
     total_ = static_cast<std::int64_t>(level_.particles.size());
+    work_.clear();
     halo_ = {};
 }
 
@@ -64,7 +65,11 @@ void RankShare::let_go(const std::vector<int>& gone) {
     level_.particles.reorder(kept);
     if (!ranks().many()) return;
     for (std::int32_t& first : level_.near.start) first = before[static_cast<std::size_t>(first)];
-    own_.assign(kept.size(), 1);
+    note_let_go(kept.size());
+}
+
+void RankShare::note_let_go(std::size_t left) {
+    own_.assign(left, 1);
     halo_ = {};
 }
 
@@ -118,24 +123,21 @@ RankShare::Numbers RankShare::number_by_column(const std::vector<std::int32_t>& 
 
 /// What has crossed open boundaries of all ranks' columns; particles that entered get the ids that they have where one
 /// process counts them, column by column.
-void RankShare::agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered) {
-    if (whole_) return;
+std::vector<std::int64_t> RankShare::agree_on_crossings(const Ledger& before,
+                                                        const std::vector<std::int32_t>& entered) {
+    if (whole_) return {};
     level_.ledger.out = before.out + ranks().sum(level_.ledger.out - before.out);
-    if (!level_.around.stream) return;
-    const Numbers numbers = number_by_column(entered);
-    const std::size_t first_new = level_.particles.size() - entered.size();
-    for (std::size_t k = 0; k < entered.size(); ++k)
-        level_.particles.id[first_new + k] = before.next_id + numbers.own[k];
+    if (!level_.around.stream) return {};
+    Numbers numbers = number_by_column(entered);
+    for (std::int64_t& number : numbers.own) number += before.next_id;
     level_.ledger.in = before.in + numbers.all, level_.ledger.next_id = before.next_id + numbers.all;
+    return std::move(numbers.own);
 }
 
 /// Adds the work of this rank's particles to that of their columns: pairs by the lists as they are, or particles where
 /// none were made yet, of which the first rank counts all.
 void RankShare::add_work(std::vector<std::int64_t>& of_columns) const {
-    if (!whole_)
-        for (std::size_t k = 0; k < level_.near.groups.size(); ++k)
-            of_columns[static_cast<std::size_t>(group_columns_[k])] +=
-                level_.near.groups[k].size * (1 + level_.live_pairs(level_.near.groups[k]));
+    for (std::size_t c = 0; c < work_.size(); ++c) of_columns[c] += work_[c];
     for (std::size_t i = 0; i < level_.particles.size() && whole_ && ranks().first(); ++i)
         ++of_columns[static_cast<std::size_t>(level_.grid.of(
             level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))];
@@ -168,9 +170,48 @@ ColumnGrid RankShare::blocks() const {
     return level_.particles.has(With::coarser) ? level_.grid.scaled(2) : level_.grid;
 }
 
+std::vector<std::int32_t> RankShare::cross_and_hold(double reach) {
+    Particles& p = level_.particles;
+    const bool many = ranks().many();
+    if (many) {
+        divide_columns();
+        let_go({});
+    }
+    const Ledger before = level_.ledger;
+    const auto [gone, entered] = cross_open_boundaries(level_.around, level_.setup.dp, p, level_.ledger);
+    std::vector<std::int32_t> index;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));
+    level_.ledger.out += static_cast<std::int64_t>(p.size() - index.size());
+    if (!many) return index;
+    const std::vector<std::int64_t> ids = agree_on_crossings(before, entered);
+    std::ranges::copy(ids, p.id.end() - static_cast<std::ptrdiff_t>(ids.size()));
+    find_holders(reach);
+    hold_columns(index);
+    index.resize(p.size());
+    std::iota(index.begin(), index.end(), 0);
+    return index;
+}
+
+/// Those that see points between particles have moved since, see SortedPlaces::stale.
+void RankShare::find_holders(double reach) {
+    const double furthest = std::max(reach, level_.reach_of_others()) + 0.1 * level_.setup.dp;
+    columns_.find_holders(level_.grid, level_.around.mirrors, level_.fixed_point.wide(level_.around.domain.min),
+                          level_.fixed_point.wide(level_.around.domain.max),
+                          static_cast<std::int64_t>(furthest * level_.fixed_point.per_metre) + 1);
+}
+
+std::vector<char> RankShare::inner_columns() const {
+    std::vector<char> inner(static_cast<std::size_t>(level_.grid.count()));
+    for (std::size_t c = 0; c < inner.size(); ++c)
+        inner[c] =
+            columns_.owner(static_cast<int>(c)) == ranks().rank() && columns_.holders(static_cast<int>(c)).empty();
+    return inner;
+}
+
 /// Sends particles to the ranks that own their columns, and copies to those that need them; then the level has those of
 /// the columns that it holds, in no order. `staying`: which of the present ones stay in the run.
-void RankShare::hold_columns(const std::vector<std::int32_t>& staying, double reach) {
+void RankShare::hold_columns(const std::vector<std::int32_t>& staying) {
     const std::size_t n = staying.size();
     std::vector<std::int32_t> column(n);
     for_particles(n, [&](std::size_t k) {
@@ -178,11 +219,6 @@ void RankShare::hold_columns(const std::vector<std::int32_t>& staying, double re
         column[k] = level_.grid.of(
             level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]}));
     });
-    // those that see points between particles have moved since, see SortedPlaces::stale
-    columns_.find_holders(
-        level_.grid, level_.around.mirrors, level_.fixed_point.wide(level_.around.domain.min),
-        level_.fixed_point.wide(level_.around.domain.max),
-        static_cast<std::int64_t>((reach + 0.1 * level_.setup.dp) * level_.fixed_point.per_metre) + 1);
     const int self = ranks().rank();
     std::vector<std::int32_t> kept;
     std::vector<Comm::Bytes> to(static_cast<std::size_t>(ranks().size()));
@@ -226,9 +262,16 @@ void RankShare::note_own() {
     level_.walls.set_halo(ranks(), columns_);
 }
 
-void RankShare::note_columns_of_groups() {
-    group_columns_.clear();
-    for (const Group& g : level_.near.groups) group_columns_.push_back(column_of(static_cast<std::size_t>(g.first)));
+/// Groups are full but for the last of each column.
+void RankShare::note_work(std::span<const int> of_groups) {
+    const std::size_t columns = level_.near.start.size() - 1;
+    work_.assign(columns, 0);
+    std::size_t k = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+        if (columns_.owner(static_cast<int>(c)) != ranks().rank()) continue;
+        for (std::int32_t i = level_.near.start[c]; i < level_.near.start[c + 1]; i += level_.passes.lanes)
+            work_[c] += of_groups[k++];
+    }
 }
 
 }  // namespace tw

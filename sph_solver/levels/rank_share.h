@@ -27,6 +27,7 @@ public:
 
     const Comm& ranks() const { return level_.ranks(); }
     bool owns(std::size_t i) const { return own_.empty() || own_[i] != 0; }
+    const char* own() const { return own_.empty() ? nullptr : own_.data(); }  ///< of each particle; null: all are
     std::size_t copies() const { return halo_.received(); }
     const Halo& halo() const { return halo_; }
     std::int64_t total() const { return total_; }  ///< particles of all ranks; of several ranks only
@@ -46,18 +47,31 @@ public:
     void share_out();
     /// Lets particles go, and copies of others' particles; lists are due then. Empty: only the copies.
     void let_go(const std::vector<int>& gone);
+    /// Somebody else has done that: so many are left, and near.start is as they stand.
+    void note_let_go(std::size_t left);
     /// Those behind the sorted ones, which have been added since, are its own.
     void own_added() {
         if (ranks().many()) own_.resize(level_.particles.size(), 1);
     }
+    /// Lets particles cross the faces of the domain, and go to the ranks that own their columns: the indices of those
+    /// that the level has then, in no order. `reach`: how far lists will look [m].
+    std::vector<std::int32_t> cross_and_hold(double reach);
+    // The parts of that for particles that are elsewhere:
+    bool is_whole() const { return whole_; }  ///< all are here, on each rank
     void divide_columns();
-    void agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered);
-    void hold_columns(const std::vector<std::int32_t>& staying, double reach);
+    /// The numbers of those that entered in the place of `entered`; empty where they are right already.
+    std::vector<std::int64_t> agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered);
+    void find_holders(double reach);
+    /// A mark for each column: of this rank's, and no copies of it are held elsewhere.
+    std::vector<char> inner_columns() const;
+    /// Of the columns with copies and of those of others.
+    void hold_columns(const std::vector<std::int32_t>& staying);
     void note_own();
-    void note_columns_of_groups();
+    /// Pairs that the pair loops visit, of each group of the own columns.
+    void note_work(std::span<const int> of_groups);
 
     // --- what ranks tell each other
-    void tell_first_pair_loop();
+    void exchange_first_sums();
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
     /// Each point is worked out by one rank, and nothing on the others.
@@ -96,10 +110,10 @@ private:
     Decomposition columns_;
     RankShare *columns_of_ = nullptr, *following_ = nullptr;  ///< see share_columns_with
     Halo halo_;
-    bool whole_ = false;                       ///< all ranks hold all particles, until lists are made
-    std::vector<char> own_;                    ///< of each particle; empty: all are
-    std::int64_t total_ = 0;                   ///< particles of all ranks
-    std::vector<std::int32_t> group_columns_;  ///< in which the groups stand
+    bool whole_ = false;              ///< all ranks hold all particles, until lists are made
+    std::vector<char> own_;           ///< of each particle; empty: all are
+    std::int64_t total_ = 0;          ///< particles of all ranks
+    std::vector<std::int64_t> work_;  ///< of each of its columns, by the lists made last
 };
 
 }  // namespace tw

@@ -65,11 +65,14 @@ public:
     // --- an evaluation of the rates, in this order
     virtual StepView step_view(double t) = 0;                  ///< for loops of others
     virtual void first_pair_loop(const OtherSums* other) = 0;  ///< see pair_loops/right_hand_side.h
+    virtual void exchange_first_sums() = 0;                    ///< what it has left, with the other ranks
     virtual void mark_surface() = 0;
     virtual void compress(double compress, double drift) = 0;  ///< see loops/after_first_pair_loop.h
     virtual void refresh_images(double t) = 0;                 ///< after pressures have changed
     virtual void press_walls() = 0;                            ///< pressures of dummies
+    virtual void exchange_pressures() = 0;                     ///< of dummies
     virtual void second_pair_loop(double t) = 0;
+    virtual void exchange_rates() = 0;      ///< once all have added to them, with the shift
     virtual void copy_loads_to_host() = 0;  ///< of the groups at walls
 
     // --- the loads

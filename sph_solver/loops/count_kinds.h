@@ -26,9 +26,11 @@ struct CountKinds {
     const double* x;
     double first, last;  ///< where inlet and outlet are [m]
     KindCounts* counts;
+    const char* own = nullptr;  ///< which of them count; null: all
 
     template <class AddOne>
     void operator()(std::size_t i, const AddOne& add_one) const {
+        if (own && !own[i]) return;
         const Kind k = kind[i];
         if (k == Kind::buffer) {
             add_one(&counts->buffers);

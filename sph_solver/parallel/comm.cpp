@@ -101,6 +101,7 @@ Comm Comm::started() {
     MPI_Comm_size(MPI_COMM_WORLD, &world.size_);
     MPI_Comm here;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    MPI_Comm_rank(here, &world.rank_here_);
     MPI_Comm_size(here, &world.size_here_);
     MPI_Comm_free(&here);
     MPI_Comm_dup(MPI_COMM_WORLD, &farewell);

@@ -27,6 +27,7 @@ public:
 
     int rank() const { return rank_; }
     int size() const { return size_; }
+    int rank_here() const { return rank_here_; }  ///< among those on this machine
     int size_here() const { return size_here_; }  ///< ranks on this machine
     bool first() const { return rank_ == 0; }     ///< the one that writes and speaks
     bool many() const { return size_ > 1; }
@@ -153,7 +154,7 @@ private:
                        const std::function<void(void*, const void*)>& into) const;
     Bytes gathered_bytes(std::span<const std::byte> own) const;
 
-    int rank_ = 0, size_ = 1, size_here_ = 1;
+    int rank_ = 0, size_ = 1, rank_here_ = 0, size_here_ = 1;
     mutable Traffic traffic_;
 };
 

@@ -29,6 +29,27 @@ Halo::Halo(const Comm& ranks, const Decomposition& columns, std::span<const Sort
     }
 }
 
+std::vector<std::int32_t> Halo::all(std::vector<Range> Partner::*of) const {
+    std::vector<std::int32_t> things;
+    for (const Partner& p : partners_)
+        each(p.*of, [&](std::size_t i) { things.push_back(static_cast<std::int32_t>(i)); });
+    return things;
+}
+
+std::vector<std::byte> Halo::exchange_packed(std::size_t bytes, std::span<const std::byte> out) const {
+    std::vector<Comm::Parcel> to, from;
+    for (const Partner& p : partners_) {
+        const std::span<const std::byte> own = out.first(p.sent * bytes);
+        out = out.subspan(own.size());
+        to.push_back({p.rank, Comm::Bytes(own.begin(), own.end())});
+        from.push_back({p.rank, Comm::Bytes(p.received * bytes)});
+    }
+    ranks_->exchange(to, from);
+    std::vector<std::byte> in;
+    for (const Comm::Parcel& p : from) in.insert(in.end(), p.bytes.begin(), p.bytes.end());
+    return in;
+}
+
 std::size_t Halo::received() const {
     std::size_t n = 0;
     for (const Partner& p : partners_) n += p.received;

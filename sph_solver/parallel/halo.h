@@ -57,6 +57,14 @@ public:
     }
     std::size_t received() const;  ///< things that are copies
 
+    // --- for things that a device has: it packs them and unpacks them itself
+    bool tells_nobody() const { return partners_.empty(); }
+    /// Which things the messages tell of, one message behind the other; and those of the messages that come.
+    std::vector<std::int32_t> all_sent() const { return all(&Partner::send); }
+    std::vector<std::int32_t> all_received() const { return all(&Partner::receive); }
+    /// Sends `out`, which has `bytes` of each of all_sent; gives the same of all_received.
+    std::vector<std::byte> exchange_packed(std::size_t bytes, std::span<const std::byte> out) const;
+
 private:
     struct Range {
         std::int32_t first, last;
@@ -66,6 +74,7 @@ private:
         std::vector<Range> send, receive;
         std::size_t sent = 0, received = 0;
     };
+    std::vector<std::int32_t> all(std::vector<Range> Partner::*of) const;
     template <class F>
     static void each(const std::vector<Range>& ranges, const F& f) {
         for (const Range& r : ranges)

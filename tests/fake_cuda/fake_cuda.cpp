@@ -3,7 +3,8 @@
 // fences; every copy, clearing and launch is checked against what is allocated. Kernels are those of the variant
 // device_emulated and the loops of cuda/tasks.h, one index after another.
 //
-// FAKE_CUDA (environment): words of "no_device", "old_device", "two_devices" (the first is too old), "memory=N" (bytes of the
+// FAKE_CUDA (environment): words of "no_device", "old_device", "two_devices" (the first is too old),
+// "devices=N" (of which all can be used), "memory=N" (bytes of the
 // device), "others=N" (bytes of it that other programs have), "lost_after=N" (launches until every call fails).
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "sph_solver/cuda/edges.h"
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/cuda/kernel_list.h"
+#include "sph_solver/cuda/messages.h"
 #include "sph_solver/cuda/near_walls.h"
 #include "sph_solver/cuda/search.h"
 #include "sph_solver/cuda/sorting.h"
@@ -213,6 +215,8 @@ const std::map<std::string, EmulatedKernel>& kernels() {
 DRIVER cuInit(unsigned) { return success; }
 DRIVER cuDriverGetVersion(int* version) { return *version = 13000, success; }
 DRIVER cuDeviceGetCount(int* count) {
+    const std::string several = option("devices");
+    if (!several.empty()) return *count = std::atoi(several.c_str()), success;
     return *count = !option("no_device").empty() ? 0 : !option("two_devices").empty() ? 2 : 1, success;
 }
 DRIVER cuDeviceGet(int* device, int k) { return *device = k, success; }
