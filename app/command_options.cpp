@@ -8,6 +8,7 @@
 #include "app/arguments/output.h"
 #include "app/cluster/submit.h"
 #include "app/runs/solvers.h"
+#include "compare/uncertainty/convergence.h"
 #include "scene/effects/registry.h"
 #include "suite/suite.h"
 
@@ -268,6 +269,12 @@ void validate_options(CLI::App& c, ValidateCommand& validate) {
                  "exit status 4 unless: goals, every value meets its goal or is a known miss; no-worse, none is worse "
                  "than in --against")
         ->check(CLI::IsMember({"goals", "no-worse"}));
+    c.add_option(
+         "--discretisation", validate.estimator,
+         fmt::format("method for the discretisation error by which the values are judged ({}); the report shows "
+                     "all: {}",
+                     uncertainty_methods().front(), fmt::join(uncertainty_methods(), ", ")))
+        ->check(CLI::IsMember(uncertainty_methods()));
     c.add_option("--pages", validate.pages, "folder for Markdown pages made from the report: README.md and one a case");
     c.add_flag("--formulas", validate.formulas, "list the formulas that a truth may name, and run nothing");
     add_rerun(c, validate.overwrite);

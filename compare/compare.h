@@ -17,7 +17,7 @@ struct MeanValue : SettledMean {
     MeanValue(const SettledMean& mean) : SettledMean(mean) {}
     /// What runs of other sizes tell (ladder/judge_by_sizes.h), half widths; nan: not estimated, or there is none.
     double discretisation = std::numeric_limits<double>::quiet_NaN();  ///< [unit]
-    double choices = std::numeric_limits<double>::quiet_NaN();         ///< box, sound speed, time step; root of squares
+    double choices = std::numeric_limits<double>::quiet_NaN();         ///< box, sound speed, time step, uncertain input
     double uncertainty = std::numeric_limits<double>::quiet_NaN();     ///< of all of it [unit]
     std::string no_uncertainty;                                        ///< why the other sizes gave none
     /// What reading the value off its history leaves open below and above it (threshold, spacing, sampling), which no run

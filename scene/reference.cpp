@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "meshes/generate.h"
 #include "scene/effects/registry.h"
 
@@ -47,8 +49,10 @@ std::string section_text(const SectionRow& section) {
     const std::string header = section.name.empty() ? "Top of the file"
                                : section.repeated   ? "`[[" + section.name + "]]`"
                                                     : "`[" + section.name + "]`";
-    std::string out = fmt::format("## {}\n\n{}\n\n| key | value | default | hash | meaning |\n|---|---|---|---|---|\n",
-                                  header, section.meaning);
+    std::string out = fmt::format("## {}\n\n{}\n\n", header, section.meaning);
+    if (std::ranges::none_of(scene_keys(), [&](const SceneKey& key) { return key.section == section.name; }))
+        return out;
+    out += "| key | value | default | hash | meaning |\n|---|---|---|---|---|\n";
     for (const SceneKey& key : scene_keys()) {
         if (key.section != section.name || key.kind == Kind::on_off) continue;
         std::string meaning = key.meaning;

@@ -30,14 +30,8 @@ void read_changes(Section s, SuiteScene& scene) {
     s.finish();
 }
 
-void read_uncertain(Section s, SuiteScene& scene) {
-    for (const auto& [key, unit] : {std::pair{"trim", "rad"}, {"speed", "m/s"}})
-        if (const auto half_width = s.number(key, unit, positive)) scene.uncertain[key] = *half_width;
-    s.finish();
-}
-
 /// `s`: of a case with one scene the case itself, else one of its [[scene]].
-SuiteScene read_suite_scene(Section& s, const std::string& file_key) {
+SuiteScene read_suite_scene(Section& s, const TextValue& raw, const std::string& file_key) {
     SuiteScene scene;
     const std::optional<std::string> file = s.text(file_key);
     if (!file) s.fail(file_key, "missing; expected a scene file, relative to this one");
@@ -46,7 +40,7 @@ SuiteScene read_suite_scene(Section& s, const std::string& file_key) {
     scene.levels = static_cast<int>(s.number("levels", scene.levels, "-", {1, 8}));
     scene.ratio = s.number("ratio", scene.ratio, "-", {1.05, 4});
     read_changes(s.section("changes"), scene);
-    read_uncertain(s.section("uncertain"), scene);
+    if (s.section("uncertain").present()) scene.uncertain = UncertainTable{s.file(), *raw.find("uncertain")};
     return scene;
 }
 
@@ -114,8 +108,11 @@ SuiteCase read_case(Section s, const TextValue& raw, const std::string& name) {
     c.shows = s.text("shows", ""), c.shows_not = s.text("shows_not", "");
     const TextValue* scene = raw.find("scene");
     if (scene && scene->kind == TextValue::Kind::list) {
-        for (Section& one : s.sections("scene")) {
-            SuiteScene read = read_suite_scene(one, "file");
+        const std::vector<TextValue>& raw_scenes = scene->list;
+        std::vector<Section> scenes = s.sections("scene");
+        for (std::size_t k = 0; k < scenes.size(); ++k) {
+            Section& one = scenes[k];
+            SuiteScene read = read_suite_scene(one, raw_scenes[k], "file");
             read.name = one.identifier("name", "");
             one.finish();
             if (std::ranges::find(c.scenes, read.name, &SuiteScene::name) != c.scenes.end())
@@ -123,7 +120,7 @@ SuiteCase read_case(Section s, const TextValue& raw, const std::string& name) {
             c.scenes.push_back(std::move(read));
         }
     } else {
-        c.scenes.push_back(read_suite_scene(s, "scene"));
+        c.scenes.push_back(read_suite_scene(s, raw, "scene"));
     }
     std::vector<Section> quantities = s.sections("quantity");
     if (quantities.empty()) s.fail("quantity", "missing; expected one [[quantity]] or more, with a truth each");

@@ -8,6 +8,7 @@
 #include "compare/truth/reading.h"
 #include "compare/truth/validation.h"
 #include "scene/scene.h"
+#include "scene/uncertain.h"
 
 namespace tw {
 
@@ -22,8 +23,8 @@ struct SuiteScene {
     std::vector<std::string> methods = {};  ///< empty: the scene's
     int levels = 3;                         ///< sizes, the scene's own and coarser ones
     double ratio = 1.4142135623730951;      ///< of neighbouring sizes [-]
-    /// What is not known of the scene, by key of its [uncertain] section: trim and speed, half widths in SI.
-    std::map<std::string, double> uncertain = {};
+    /// Numbers that are known within an interval, beside those that the scene itself names as such.
+    std::optional<UncertainTable> uncertain = {};
 };
 
 /// A quantity that a case judges. What a run does not need to be known stands in `judged`: name, label, unit, truth, goal.

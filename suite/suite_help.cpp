@@ -13,7 +13,7 @@ const char* const suite_help =
     "  scene  = \"barge.toml\"             # relative to this file; or several [[case.scene]] name, file\n"
     "  changes = { scale = 2, duration = \"3 s\" }   # also speed, trim, spacing, near_hull, hull, effects_on, "
     "effects_off\n"
-    "  uncertain = { trim = \"0.1 deg\" }  # or speed: enters U_val by two more coarse runs\n"
+    "  uncertain = { hull.trim = \"0.1 deg\" }  # of any number of the scene: enters U_val by two more coarse runs\n"
     "  [[case.quantity]]\n"
     "  name   = \"lift\"                   # as in report.json\n"
     "  unit   = \"N\"\n"

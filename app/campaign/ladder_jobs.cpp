@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "app/runs/solvers.h"
 #include "base/errors.h"
@@ -15,23 +16,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr LadderChoice choices[] = {
-    // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
-    {"sph", "sound speed x 1.5", "sound_speed_1.5", [](SceneOverrides& o) { o.sound_speed_factor = 1.5; }, 1.8},
-    // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
-    {"sph", "half the time step", "time_step_0.5", [](SceneOverrides& o) { o.time_step_factor = 0.5; }, 2, 2},
-    {"fvm", "half the Courant number", "courant_0.5", [](SceneOverrides& o) { o.courant_factor = 0.5; }, 2, 2},
-};
+const std::vector<LadderChoice>& numerical_choices() {
+    static const std::vector<LadderChoice> all{
+        // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
+        {"sph", "sound speed x 1.5", "sound_speed_1.5", [](RunRequest& r) { r.overrides.sound_speed_factor = 1.5; },
+         1.8},
+        // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
+        {"sph", "half the time step", "time_step_0.5", [](RunRequest& r) { r.overrides.time_step_factor = 0.5; }, 2, 2},
+        {"fvm", "half the Courant number", "courant_0.5", [](RunRequest& r) { r.overrides.courant_factor = 0.5; }, 2,
+         2},
+    };
+    return all;
+}
 /// What the walls are worth; the share follows from the two boxes (compare/ladder/variation.h).
-constexpr LadderChoice wider_box = {.method = "",
-                                    .name = "box x 1.5",
-                                    .folder = "box_1.5",
-                                    .make = [](SceneOverrides& o) { o.box_factor = 1.5; },
-                                    .share = 1,
-                                    .box = true};
+LadderChoice wider_box() {
+    return {.method = "",
+            .name = "box x 1.5",
+            .folder = "box_1.5",
+            .make = [](RunRequest& r) { r.overrides.box_factor = 1.5; },
+            .box = true};
+}
 /// Another model of the same surface: all of the change counts.
-constexpr LadderChoice geometric_surface = {"fvm", "geometric surface", "geometric_surface",
-                                            [](SceneOverrides& o) { o.interface = "isoadvector"; }, 1};
+LadderChoice geometric_surface() {
+    return {"fvm", "geometric surface", "geometric_surface",
+            [](RunRequest& r) { r.overrides.interface = "isoadvector"; }};
+}
+constexpr std::string_view upper_end = "_high", lower_end = "_low";
+std::string end_of_interval(const std::string& number, bool upper) {
+    return number + (upper ? ", upper end" : ", lower end");
+}
+/// An uncertain number at one end of its interval.
+LadderChoice uncertain_input(const UncertainNumber& number, bool upper) {
+    const double value = number.value + (upper ? number.half_width : -number.half_width);
+    return {.method = "",
+            .name = end_of_interval(number.name, upper),
+            .folder = number.name + std::string(upper ? upper_end : lower_end),
+            .make = [name = number.name, value](RunRequest& r) { r.numbers[name] = value; },
+            .input = number.name};
+}
 
 /// Fewer sizes are not filled in: a fourth beside three makes their interval wider (decision 023).
 constexpr int least_filled = 4;
@@ -47,6 +69,7 @@ public:
             if (std::optional<PlannedRun> size = add_size(k)) coarsest = std::move(size), ++allowed;
         if (sizes_.surface && coarsest) refuse_idle_surface(coarsest->scene);
         if (sizes_.box && coarsest && sizes_.levels > 1) add_box(*coarsest);
+        if (sizes_.input && coarsest) add_input(*coarsest);
         for (int k = 1; sizes_.fill && allowed >= least_filled && k + 1 < sizes_.levels; ++k) add_size(k + 0.5);
         std::ranges::stable_sort(
             plan_.jobs, {}, [](const LadderJob& j) { return std::pair(j.fills_in, j.run.plan.seconds(j.run.method)); });
@@ -59,16 +82,16 @@ private:
         o.scale_resolution = o.scale_resolution.value_or(1) * std::pow(sizes_.ratio, k);
         return o;
     }
-    PlannedRun planned(const SceneOverrides& o) const {
+    RunRequest request_of(const SceneOverrides& o) const {
         RunRequest request = sizes_.request;
         request.overrides = o;
-        return plan_run(request);
+        return request;
     }
     fs::path folder_of(const PlannedRun& plan) const {
         return out_ / fmt::format("near_hull_{:.6g}mm", 1000 * plan.scene.resolution.near_hull);
     }
-    void add(PlannedRun plan, const std::string& method, const fs::path& folder, const LadderChoice* choice,
-             bool fills_in = false) {
+    void add(PlannedRun plan, const std::string& method, const fs::path& folder,
+             const std::optional<LadderChoice>& choice, bool fills_in = false) {
         const std::string name =
             fmt::format("{} at {:g} m{}{}", method_label(method), plan.scene.resolution.near_hull,
                         choice ? fmt::format(", {}", choice->name) : "", fills_in ? ", between two sizes" : "");
@@ -85,20 +108,20 @@ private:
         const SceneOverrides o = overrides(k);
         std::optional<PlannedRun> plan;
         try {
-            plan = planned(o);
+            plan = plan_run(request_of(o));
         } catch (const InputError& e) {
             if (k == 0) throw;
             leave_out(o, "run", e);
             return {};
         }
         for (const std::string& method : plan->scene.run.methods) {
-            add(*plan, method, folder_of(*plan), nullptr, k != std::floor(k));
+            add(*plan, method, folder_of(*plan), {}, k != std::floor(k));
             if (k != std::max(0, sizes_.levels - 2)) continue;
             const auto vary = [&](const LadderChoice& choice) {
                 if (choice.method == method) add_choice(o, folder_of(*plan), choice, method);
             };
-            if (sizes_.variations) std::ranges::for_each(choices, vary);
-            if (sizes_.surface) vary(geometric_surface);
+            if (sizes_.variations) std::ranges::for_each(numerical_choices(), vary);
+            if (sizes_.surface) vary(geometric_surface());
         }
         return plan;
     }
@@ -108,16 +131,42 @@ private:
                 fmt::format("{}: --surface would run the same once more; expected "
                             "\"mules\", or no --surface",
                             scene.place_of("fvm.interface")));
-        if (std::ranges::find(scene.run.methods, geometric_surface.method) == scene.run.methods.end())
+        if (std::ranges::find(scene.run.methods, geometric_surface().method) == scene.run.methods.end())
             throw InputError(
                 "--surface: it is a run of the mesh method, which is not asked for; expected --method "
                 "both or fvm, or no --surface");
     }
-    void add_choice(SceneOverrides o, const fs::path& folder, const LadderChoice& choice, const std::string& method) {
+    void add_choice(const SceneOverrides& o, const fs::path& folder, const LadderChoice& choice,
+                    const std::string& method) {
+        RunRequest request = request_of(o);
         try {
-            choice.make(o);
-            add(planned(o), method, folder / choice.folder, &choice);
+            choice.make(request);
+            add(plan_run(request), method, folder / choice.folder, choice);
         } catch (const InputError& e) { leave_out(o, choice.name, e); }
+    }
+    /// Either end of every uncertain number, of every method. The sizes stay those of the scene, also where they follow
+    /// from what is changed, a hull's length: a size that changes with the number would be its own reason.
+    void add_input(const PlannedRun& plan) {
+        const Scene& scene = plan.scene;
+        SceneOverrides o = sizes_.request.overrides;
+        o.scale_resolution = scene.resolution.scale;
+        const UncertainTable* more = sizes_.uncertain ? &*sizes_.uncertain : nullptr;
+        for (const UncertainNumber& number : uncertain_numbers(sizes_.request.file, sizes_.request.overrides, more))
+            for (const bool upper : {false, true}) {
+                LadderChoice choice = uncertain_input(number, upper);
+                RunRequest request = request_of(o);
+                choice.make(request);
+                try {
+                    PlannedRun changed = plan_run(request);
+                    if (changed.scene.resolution.near_hull != scene.resolution.near_hull) {
+                        request.overrides.near_hull = scene.resolution.near_hull / scene.resolution.scale;
+                        request.overrides.spacing = scene.resolution.spacing / scene.resolution.scale;
+                        changed = plan_run(request);
+                    }
+                    for (const std::string& method : scene.run.methods)
+                        add(changed, method, folder_of(plan) / choice.folder, choice);
+                } catch (const InputError& e) { leave_out(o, choice.name, e); }
+            }
     }
     /// Where the scene is open water: in the method that is expected to take the least time, by the table of one core.
     /// What runs teach of this machine would choose otherwise after the runs than before them, and --collect, --resume
@@ -133,7 +182,7 @@ private:
             plan.scene.run.methods, {}, [&](const std::string& method) { return cost.of(method).seconds; });
         SceneOverrides o = sizes_.request.overrides;
         o.scale_resolution = plan.scene.resolution.scale;
-        add_choice(o, folder_of(plan), wider_box, cheaper);
+        add_choice(o, folder_of(plan), wider_box(), cheaper);
     }
 
     const LadderSizes& sizes_;
@@ -151,6 +200,24 @@ std::vector<CampaignRun> runs_of(const std::vector<LadderJob>& jobs) {
     return runs;
 }
 
+LadderVariation variation_of(const LadderChoice& choice, LadderRun run) {
+    LadderVariation v{choice.name, choice.share, std::move(run), choice.steps, choice.box};
+    v.input = choice.input;
+    return v;
+}
+
+std::optional<LadderVariation> uncertain_input_of(const fs::path& record_file, const LadderRun& run) {
+    const std::string folder = record_file.parent_path().parent_path().filename().string();
+    for (const bool upper : {false, true}) {
+        const std::string_view end = upper ? upper_end : lower_end;
+        if (!folder.ends_with(end) || folder.find('.') == std::string::npos) continue;
+        LadderVariation v{end_of_interval(folder.substr(0, folder.size() - end.size()), upper), 1, run};
+        v.input = folder.substr(0, folder.size() - end.size());
+        return v;
+    }
+    return {};
+}
+
 bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result) {
     using State = CampaignResult::State;
     if (result.state == State::stopped) return false;
@@ -158,8 +225,8 @@ bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result) {
         const bool failed = result.state == State::failed;
         harvest.left_out.push_back(job.run.name + ": " + (failed ? "failed: " : "") + result.why_not);
         harvest.any_failed |= failed;
-    } else if (const LadderChoice* c = job.choice) {
-        harvest.variations.push_back({c->name, c->share, ladder_run(std::move(*result.record)), c->steps, c->box});
+    } else if (job.choice) {
+        harvest.variations.push_back(variation_of(*job.choice, ladder_run(std::move(*result.record))));
     } else {
         harvest.take(std::move(*result.record), job.run.folder / "record.h5");
     }

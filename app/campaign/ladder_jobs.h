@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,18 +12,19 @@ namespace tw::app {
 
 /// A choice that should not matter, made otherwise in one run.
 struct LadderChoice {
-    const char *method, *name, *folder;  ///< method: "sph", "fvm"; "": the cheaper one
-    void (*make)(SceneOverrides& overrides);
-    double share;      ///< of the error, see LadderVariation
+    std::string method, name, folder;  ///< method: "sph", "fvm"; "": the cheaper one
+    std::function<void(RunRequest& request)> make;
+    double share = 1;  ///< of the error, see LadderVariation
     double steps = 1;  ///< how many times as many time steps it is to take
     bool box = false;
+    std::string input = {};  ///< name of the uncertain number that lies at an end of its interval
 };
 
 /// One run of a ladder.
 struct LadderJob {
     CampaignRun run;
-    const LadderChoice* choice = nullptr;  ///< none: a size
-    bool fills_in = false;                 ///< a size between two others
+    std::optional<LadderChoice> choice = {};  ///< none: a size
+    bool fills_in = false;                    ///< a size between two others
 };
 
 /// Which sizes of a scene are run, and how.
@@ -32,6 +35,8 @@ struct LadderSizes {
     bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size
     bool surface = false;    ///< the water's surface captured geometrically, at the same size
     bool box = true;         ///< a wider box at the coarsest size, where the scene is open water
+    bool input = true;       ///< either end of every uncertain number of the scene, at the coarsest size
+    std::optional<UncertainTable> uncertain = {};  ///< beside those of the scene
     /// Of four sizes and more also near_hull ratio^(k + 1/2), between neighbouring ones but for the two finest.
     bool fill = false;
 };
@@ -46,6 +51,13 @@ struct LadderPlan {
 LadderPlan plan_ladder(const LadderSizes& sizes, const std::filesystem::path& out);
 
 std::vector<CampaignRun> runs_of(const std::vector<LadderJob>& jobs);
+
+/// The run of a choice as the ladder takes it.
+LadderVariation variation_of(const LadderChoice& choice, LadderRun run);
+
+/// What a run with an uncertain number at an end of its interval is, by the folder it was made in,
+/// SIZE/SECTION.KEY_high/METHOD; none: another run.
+std::optional<LadderVariation> uncertain_input_of(const std::filesystem::path& record_file, const LadderRun& run);
 
 /// Takes one run into the ladder. False: stopped on request. One that fails, or does not fit a budget, is left out and
 /// named in the report; the others are run all the same.

@@ -43,12 +43,15 @@ double Twins::seconds() const {
 }
 
 std::string Twins::prediction_text(const Scene& scene, double own) const {
-    const auto boxes = std::ranges::count_if(plan_.jobs, [](const LadderJob& j) { return j.choice != nullptr; });
-    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes;
+    const auto count = [&](auto what) { return std::ranges::count_if(plan_.jobs, what); };
+    const auto boxes = count([](const LadderJob& j) { return j.choice && j.choice->box; });
+    const auto inputs = count([](const LadderJob& j) { return j.choice && !j.choice->input.empty(); });
+    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes - inputs;
     std::string text;
     if (sizes > 0)
-        text = fmt::format("grid triplet: {} coarser run{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
-                           sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "", about_text(seconds()),
+        text = fmt::format("grid triplet: {} coarser run{}{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
+                           sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "",
+                           inputs > 0 ? fmt::format(", {} for [uncertain]", inputs) : "", about_text(seconds()),
                            own > 0 ? 100 * seconds() / own : 0);
     for (const std::string& line : plan_.left_out) text += "! grid triplet: " + line + "\n";
     const int sizes_here = sizes_of_particles(scene);

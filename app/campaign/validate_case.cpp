@@ -40,39 +40,18 @@ RunRequest request_of(const SuiteScene& scene, const std::vector<std::string>& m
             .elsewhere = rules.elsewhere};
 }
 
-/// The scene's own value of an uncertain number, and where a change of it is put.
-std::pair<double, std::optional<double> SceneOverrides::*> uncertain_number(const std::string& key,
-                                                                            const SuiteScene& of, const Scene& scene) {
-    if (key == "speed") return {scene.motion.speed, &SceneOverrides::speed};
-    if (!scene.hull)
-        throw InputError(
-            fmt::format("{}: {} is uncertain, and the scene has no [hull]; expected a scene with a hull, or "
-                        "no such key in uncertain",
-                        of.file.string(), key));
-    return {scene.hull->trim, &SceneOverrides::trim};
-}
-
 PlannedScene plan_scene(const SuiteScene& scene, const ValidationRules& rules, const fs::path& out) {
     PlannedScene planned{.scene = &scene, .methods = methods_asked(scene, rules.method)};
     if (planned.methods.empty()) return planned;
     const RunRequest own = request_of(scene, planned.methods, rules);
     const PlannedRun finest = plan_run(own);
     planned.near_hull = finest.scene.resolution.near_hull;
-    planned.plan =
-        plan_ladder({.request = own, .levels = scene.levels, .ratio = scene.ratio, .variations = false}, out);
-    for (const auto& [key, half_width] : scene.uncertain)
-        for (const bool upper : {false, true}) {
-            RunRequest changed = own;
-            const auto [value, where] = uncertain_number(key, scene, finest.scene);
-            changed.overrides.*where = value + (upper ? half_width : -half_width);
-            changed.overrides.scale_resolution =
-                own.overrides.scale_resolution.value_or(1) * std::pow(scene.ratio, scene.levels - 1);
-            const PlannedRun plan = plan_run(changed);
-            const std::string end = fmt::format("{}_{}", key, upper ? "high" : "low");
-            for (const std::string& method : planned.methods)
-                planned.uncertain.push_back(
-                    {key, upper, {fmt::format("{}, {}", method_label(method), end), method, plan, out / end / method}});
-        }
+    planned.plan = plan_ladder({.request = own,
+                                .levels = scene.levels,
+                                .ratio = scene.ratio,
+                                .variations = false,
+                                .uncertain = scene.uncertain},
+                               out);
     return planned;
 }
 
@@ -80,8 +59,7 @@ PlannedScene plan_scene(const SuiteScene& scene, const ValidationRules& rules, c
 struct SceneHarvest {
     LadderHarvest harvest;
     std::optional<Ladder> ladder;
-    std::map<std::string, std::string> why_failed;                              ///< by method: of its own size
-    std::map<std::string, std::map<std::string, std::vector<LadderRun>>> ends;  ///< by method and uncertain number
+    std::map<std::string, std::string> why_failed;  ///< by method: of its own size
     std::vector<CaseCost> costs;
     std::vector<std::string> versions;
 };
@@ -111,7 +89,8 @@ void charge(SceneHarvest& harvest, const LadderRun& run) {
 /// False: stopped on request.
 bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign, SceneHarvest& harvest) {
     const PlannedScene& scene = planned.scenes[place];
-    const auto take_run = [&](const CampaignRun& run, auto&& into) {
+    const auto take_run = [&](const LadderJob& job, auto&& into) {
+        const CampaignRun& run = job.run;
         CampaignResult result;
         try {
             result = campaign.run_or_take(run);
@@ -127,7 +106,7 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
             LadderRun made = with_readings(run.folder / "record.h5", std::move(*result.record), planned, place);
             charge(harvest, made);
             into(std::move(made));
-        } else if (std::abs(run.plan.scene.resolution.near_hull / scene.near_hull - 1) < 1e-6) {
+        } else if (!job.choice && std::abs(run.plan.scene.resolution.near_hull / scene.near_hull - 1) < 1e-6) {
             harvest.why_failed[run.method] = result.why_not;
         } else {
             harvest.harvest.left_out.push_back(run.name + ": " + result.why_not);
@@ -135,18 +114,14 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
         return true;
     };
     for (const LadderJob& job : scene.plan.jobs) {
-        const LadderChoice* c = job.choice;
-        const bool goes_on = take_run(job.run, [&](LadderRun run) {
-            if (c)
-                harvest.harvest.variations.push_back({c->name, c->share, std::move(run), c->steps, c->box});
+        const bool goes_on = take_run(job, [&](LadderRun run) {
+            if (job.choice)
+                harvest.harvest.variations.push_back(variation_of(*job.choice, std::move(run)));
             else
                 harvest.harvest.runs.push_back(std::move(run));
         });
         if (!goes_on) return false;
     }
-    for (const UncertainRun& u : scene.uncertain)
-        if (!take_run(u.run, [&](LadderRun run) { harvest.ends[u.run.method][u.key].push_back(std::move(run)); }))
-            return false;
     return true;
 }
 
@@ -155,25 +130,11 @@ const Quantity* quantity_in(const LadderRun& run, const std::string& name) {
     return found == run.quantities.end() ? nullptr : &*found;
 }
 
-/// Half the change between both ends of every uncertain number, at the coarsest size; root of the sum of their squares.
-double input_of(const SceneHarvest& harvest, const std::string& method, const std::string& quantity) {
-    const auto of_method = harvest.ends.find(method);
-    if (of_method == harvest.ends.end()) return 0;
-    double sum = 0;
-    for (const auto& [key, runs] : of_method->second) {
-        if (runs.size() != 2) continue;
-        const Quantity *a = quantity_in(runs[0], quantity), *b = quantity_in(runs[1], quantity);
-        if (a && b && a->values[0].known && b->values[0].known)
-            sum = std::hypot(sum, (b->values[0].value - a->values[0].value) / 2);
-    }
-    return sum;
-}
-
 /// With what the run leaves out, where that has a bound.
 void add_outer(ValidatedValue& v, const LadderValue& value, const LadderRun& run, const Quantity& of_run) {
     MeanValue mean = of_run.values[0];
     mean.discretisation = value.estimate.uncertainty, mean.choices = std::hypot(value.choices, value.box);
-    mean.uncertainty = value.uncertainty;
+    mean.uncertainty = std::hypot(value.own, value.box);
     const OuterInterval outer = outer_interval(of_run, mean, read_record(run.file));
     v.outer_below = outer.below, v.outer_above = outer.above;
 }
@@ -210,8 +171,11 @@ ValidatedValue value_of(const SuiteQuantity& q, const std::string& method, const
         return v;
     }
     v.value = value.levels.front().value;
-    v.statistical = value.statistical, v.discretisation = value.estimate.uncertainty;
-    v.choices = std::hypot(value.choices, value.box), v.input = input_of(harvest, method, q.judged.name);
+    v.statistical = value.statistical;
+    v.discretisation = v.own_discretisation = value.estimate.uncertainty;
+    v.by_method = method_estimates(value.estimate);
+    v.choices = std::hypot(value.choices, value.box), v.input = value.input;
+    v.inputs = inputs_of(value.sensitivities);
     v.order = value.estimate.order, v.convergence = to_string(value.estimate.convergence);
     for (const StudyLevel& level : value.levels) v.sizes.emplace_back(level.h, level.value);
     v.why_not = value.estimate.why_not;
@@ -278,12 +242,6 @@ ValidatedCase case_not_run(const PlannedCase& planned, ValidatedCase c) {
 
 }  // namespace
 
-std::vector<CampaignRun> PlannedScene::runs() const {
-    std::vector<CampaignRun> all = runs_of(plan.jobs);
-    for (const UncertainRun& u : uncertain) all.push_back(u.run);
-    return all;
-}
-
 PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const fs::path& out) {
     PlannedCase planned{&of, {}, false, {}};
     const auto rank = [](const std::string& tier) {
@@ -306,10 +264,8 @@ PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const f
         planned.why_not = e.what(), planned.wrong = true;
         complain(of.name + ": " + e.what());
     }
-    for (PlannedScene& scene : planned.scenes) {
+    for (PlannedScene& scene : planned.scenes)
         for (LadderJob& job : scene.plan.jobs) job.run.name = of.name + ": " + job.run.name;
-        for (UncertainRun& u : scene.uncertain) u.run.name = of.name + ": " + u.run.name;
-    }
     return planned;
 }
 

@@ -11,22 +11,14 @@
 
 namespace tw::app {
 
-/// A run of the coarsest size with one uncertain number of the scene at one end of its interval.
-struct UncertainRun {
-    std::string key;    ///< trim or speed
-    bool upper = true;  ///< else the lower end
-    CampaignRun run;
-};
-
 /// All runs of one scene of a case.
 struct PlannedScene {
     const SuiteScene* scene = nullptr;
     std::vector<std::string> methods;  ///< that are run
     double near_hull = 0;              ///< of the scene's own size [m]
     LadderPlan plan = {};
-    std::vector<UncertainRun> uncertain = {};
 
-    std::vector<CampaignRun> runs() const;
+    std::vector<CampaignRun> runs() const { return runs_of(plan.jobs); }
 };
 
 struct PlannedCase {

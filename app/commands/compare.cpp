@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "app/arguments/output.h"
+#include "app/campaign/ladder_jobs.h"
 #include "app/campaign/write_ladder.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
@@ -64,8 +66,18 @@ std::vector<fs::path> files_of_sizes(const fs::path& source) {
 void take_finished(LadderHarvest& harvest, const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
         RunRecord record = read_record(file);
-        if (record.state == "finished") harvest.take(std::move(record), file);
+        if (record.state != "finished") continue;
+        harvest.take(std::move(record), file);
+        if (std::optional<LadderVariation> input = uncertain_input_of(file, harvest.runs.back())) {
+            harvest.variations.push_back(std::move(*input));
+            harvest.runs.pop_back();
+        }
     }
+}
+
+/// Runs that differ from others of their size in a choice.
+void part_variations(LadderHarvest& harvest) {
+    std::ranges::move(take_variations(harvest.runs), std::back_inserter(harvest.variations));
 }
 
 /// What a run's folder says of the discretisation error, as its own report does; none: nothing in it, or no ladder.
@@ -76,7 +88,7 @@ std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
     LadderHarvest harvest;
     for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_record(file), file);
     take_finished(harvest, twins);
-    harvest.variations = take_variations(harvest.runs);
+    part_variations(harvest);
     harvest.drop_lone_variations();
     try {
         return ladder_of(harvest);
@@ -98,7 +110,7 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
         for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
         take_finished(harvest, twin_files(source));
     }
-    harvest.variations = take_variations(harvest.runs);
+    part_variations(harvest);
     const FolderLock lock(command.out);
     const Ladder ladder = report_ladder(harvest, measured_records(command.measured), command.out, common);
     if (!command.require_agree) return done;

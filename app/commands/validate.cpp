@@ -61,7 +61,8 @@ int required(const ValidateCommand& command, const ValidationReport& report,
     return not_agreed;
 }
 
-int finish(const ValidateCommand& command, const ValidationReport& report, const fs::path& out, const Common& common) {
+int finish(const ValidateCommand& command, ValidationReport report, const fs::path& out, const Common& common) {
+    if (!command.estimator.empty()) judge_by(report, command.estimator);
     std::vector<ValidationChange> changes;
     if (!command.against.empty()) changes = changes_between(read_validation(command.against), report);
     write_all(report, changes, command, out, common);
@@ -146,7 +147,7 @@ int run_validate(const ValidateCommand& command, const Common& common) {
         failed |= c.wrong;
         report.cases.push_back(std::move(*judged));
     }
-    const int status = finish(command, report, out, common);
+    const int status = finish(command, std::move(report), out, common);
     return failed || campaign.any_failed() ? static_cast<int>(run_failed) : status;
 }
 

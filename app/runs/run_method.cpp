@@ -55,7 +55,7 @@ private:
 }  // namespace
 
 PlannedRun plan_run(const RunRequest& request) {
-    Scene scene = read_scene(request.file, request.overrides);
+    Scene scene = read_scene(request.file, request.overrides, request.numbers);
     if (request.method == every_method)
         scene.run.methods = method_names();
     else if (!request.method.empty())

@@ -6,6 +6,7 @@
 #include "app/arguments/commands.h"
 #include "record/run_record.h"
 #include "scene/run/run_options.h"
+#include "scene/uncertain.h"
 
 namespace tw::app {
 
@@ -13,11 +14,12 @@ namespace tw::app {
 struct RunRequest {
     std::filesystem::path file;
     SceneOverrides overrides = {};
-    std::string method = {};  ///< a name, or every_method; empty: the scene's
-    int threads = 0;          ///< 0: the scene's
-    bool snapshots = true;    ///< false: not even of the last moment
-    int ranks = 1;            ///< 0: the scene's
-    bool elsewhere = false;   ///< made on other machines, of whose memory nothing is known here
+    std::string method = {};      ///< a name, or every_method; empty: the scene's
+    int threads = 0;              ///< 0: the scene's
+    bool snapshots = true;        ///< false: not even of the last moment
+    int ranks = 1;                ///< 0: the scene's
+    bool elsewhere = false;       ///< made on other machines, of whose memory nothing is known here
+    ChangedNumbers numbers = {};  ///< of the scene file that are others than it says
 };
 /// A scene as it will be run, and what that is expected to cost on this machine.
 struct PlannedRun {

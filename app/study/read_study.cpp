@@ -36,6 +36,9 @@ Member member_of(const nlohmann::json& json) {
     m.folder = json.at("folder").get<std::string>();
     m.request.file = json.at("scene").get<std::string>();
     m.request.overrides = overrides_of(json.at("changes"));
+    if (json.contains("numbers"))
+        for (const auto& [name, value] : json["numbers"].items())
+            m.request.numbers[name] = number_within(json["numbers"], name.c_str(), -any_number, any_number);
     m.request.method = json.at("methods");
     m.request.threads = whole_within(json, "threads", 0, 100'000);
     m.request.ranks = json.contains("ranks") ? whole_within(json, "ranks", 1, 65'535) : 1;

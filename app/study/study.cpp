@@ -39,6 +39,7 @@ StudyJson json_of(const Member& m) {
             {"folder", m.folder.string()},
             {"scene", m.request.file.string()},
             {"changes", json_of(m.request.overrides)},
+            {"numbers", m.request.numbers},
             {"methods", m.request.method},
             {"threads", m.request.threads},
             {"ranks", m.request.ranks},

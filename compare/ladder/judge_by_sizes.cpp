@@ -36,7 +36,7 @@ bool reaches_the_finest(const Ladder& ladder, const LadderQuantity& q, std::size
 
 void fill(MeanValue& m, const LadderValue& v) {
     m.discretisation = v.estimate.uncertainty;
-    m.choices = std::hypot(v.choices, v.box);
+    m.choices = std::hypot(v.choices, v.box, v.input);
     m.uncertainty = v.uncertainty;
     if (!std::isfinite(v.uncertainty))
         m.no_uncertainty = v.estimate.why_not.empty() ? "not converged" : v.estimate.why_not;
@@ -75,7 +75,7 @@ Statement statement_of(const Ladder& ladder, const LadderQuantity& q, const Ladd
     s.interval = d.interval;
     if (alone) {
         s.interval = q.values[0].uncertainty;
-        s.choices = std::hypot(s.choices, q.values[0].box);
+        s.choices = std::hypot(s.choices, q.values[0].box, q.values[0].input);
         s.why = q.values[0].estimate.why_not;
     }
     return s;
@@ -138,7 +138,7 @@ RelativeErrors relative_errors(const Ladder& ladder, const std::string& scene) {
             const LadderValue& v = q.values[k];
             if (v.levels.empty() || !(q.size > 0)) continue;
             errors.of[{q.name, ladder.sides[k].method}] = {v.estimate.uncertainty / q.size, v.choices / q.size,
-                                                           v.box / q.size, v.estimate.why_not};
+                                                           std::hypot(v.box, v.input) / q.size, v.estimate.why_not};
         }
     return errors;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct LadderVariation {
     double steps = 1;          ///< [-]
     bool box = false;          ///< a wider box: its change counts in all methods, relative to the value
     std::string refused = {};  ///< why it is no evidence; filled by build_ladder
+    std::string input = {};    ///< name of the uncertain number that lies at an end of its interval; empty: a choice
 };
 
 /// One method's runs of a ladder, finest first.
@@ -65,6 +67,7 @@ struct Sensitivity {
     double value = 0, varied = 0, uncertainty = 0;  ///< [unit of the quantity]
     bool box = false;
     std::string refused = {};  ///< why it is no evidence and has no uncertainty
+    std::string input = {};    ///< of an uncertain number: its name
     /// The same but for rounding: what was varied does not bind in this run, so it says nothing.
     bool idle() const { return no_more_than_rounding(varied - value, value); }
 };
@@ -84,6 +87,11 @@ struct Held {
     std::vector<Validation> validations;  ///< one per side
 };
 
+/// What each uncertain number does to a value, by its name: the root of the mean square of the change at either end of its
+/// interval (ASME V&V 20-2009, section 4: dS/dX u_X, with a difference in place of the derivative) [unit of the quantity].
+/// Not half the difference between the ends: that is 0 of a value that is largest in between.
+std::map<std::string, double> inputs_of(const std::vector<Sensitivity>& sensitivities);
+
 /// What a ladder says of one quantity and one method.
 struct LadderValue {
     std::vector<StudyLevel> levels;                                 ///< the levels whose mean is known, finest first
@@ -93,7 +101,8 @@ struct LadderValue {
     Estimate estimate;                                              ///< of the resolution; no levels: nothing known
     std::vector<Sensitivity> sensitivities;
     double choices = 0, box = 0;  ///< roots of the sums of their squares: the box, and all others [unit]
-    double own = std::numeric_limits<double>::quiet_NaN();          ///< of the finest value: all but the box [unit]
+    double input = 0;             ///< root of the sum of the squares of inputs_of [unit]
+    double own = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all but box and input [unit]
     double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of the finest value: all of the above [unit]
     CostOfAccuracy cost, cost_in_cores, cost_in_memory;             ///< against wall time, processor time, memory
 };
@@ -140,7 +149,8 @@ struct Ladder {
 ///   E = S_b - S_a     U^2 = sum over both methods of u^2 + U_num^2 + sum U_var^2
 ///   S = |S_a + S_b| / 2, at least the quantity's scale
 ///
-/// The box is in the U of each value and not in that of E: all methods solve the same box, and a shared input cancels.
+/// The box and the uncertain numbers of the scene are in the U of each value and not in that of E: all methods solve the
+/// same box with the same numbers, and a shared input cancels.
 /// A variation that was to take more time steps counts by those it took (variation.h).
 ///
 /// U_num is that of uncertainty/convergence.h: from three sizes on trend and noise, which knows each size's u as part of

@@ -42,6 +42,7 @@ Json json_of(const LadderValue& v, double size) {
                                  {"value", s.value},
                                  {"varied", s.varied},
                                  {"box", s.box},
+                                 {"input", s.input},
                                  {"refused", s.refused},
                                  {"uncertainty", s.uncertainty}});
     if (v.cost.known() && !v.levels.empty())
@@ -65,6 +66,7 @@ Json json_of(const LadderValue& v, double size) {
             {"sensitivities", sensitivities},
             {"choices", v.choices},
             {"box", v.box},
+            {"input", v.input},
             {"uncertainty", v.uncertainty},
             {"cost", cost}};
 }

@@ -177,8 +177,8 @@ ReportTable shares_of_intervals(const Ladder& ladder) {
     ReportTable table{
         "Contributions to the intervals, in per cent of the value",
         {words("Quantity"), words("method"), numbers("mean"), numbers("discretisation"), numbers("Eça & Hoekstra"),
-         numbers("GCI"), numbers("factor of safety"), numbers("box"), words("other choices")}};
-    bool any_box = false;
+         numbers("GCI"), numbers("factor of safety"), numbers("box"), numbers("input"), words("other choices")}};
+    bool any_box = false, any_input = false;
     for (const LadderQuantity& q : ladder.quantities)
         for (std::size_t k = 0; k < q.values.size(); ++k) {
             const LadderValue& v = q.values[k];
@@ -188,20 +188,27 @@ ReportTable shares_of_intervals(const Ladder& ladder) {
                 return no_more_than_rounding(U, q.size) ? std::string("none") : share_text(100 * U / q.size);
             };
             std::vector<std::string> choices;
-            std::string box = "–";
+            std::string box = "–", input = "–";
             for (const Sensitivity& s : v.sensitivities) {
                 const std::string said = !s.refused.empty() ? "no evidence"
                                          : s.idle()         ? "no change"
                                                             : share(s.uncertainty);
                 if (s.box)
                     box = said, any_box = true;
+                else if (!s.input.empty())
+                    input = share(v.input), any_input = true;
                 else
                     choices.push_back(s.name + ": " + said);
             }
             table.rows.push_back({{q.label, method_cell(ladder, k), share(v.statistical), share(v.estimate.uncertainty),
                                    share(v.estimate.eca_hoekstra.uncertainty), share(v.estimate.celik_gci.uncertainty),
-                                   share(v.estimate.xing_stern.uncertainty), box, joined(choices)}});
+                                   share(v.estimate.xing_stern.uncertainty), box, input, joined(choices)}});
         }
+    if (any_input)
+        table.notes.push_back(
+            "Input: the change of the value when the uncertain numbers of the scene lie at either end of their "
+            "intervals, at the coarsest size; like the box it is part of a value's interval and not of that of the "
+            "difference.");
     if (any_box)
         table.notes.push_back(
             "Box: the change in a box 1.5 times as wide, deep and long at the coarsest size, extrapolated to open "

@@ -18,6 +18,19 @@ constexpr double single_precision = 1e-6;
 
 }  // namespace
 
+std::map<std::string, double> inputs_of(const std::vector<Sensitivity>& sensitivities) {
+    std::map<std::string, std::pair<double, int>> squares;
+    for (const Sensitivity& s : sensitivities)
+        if (!s.input.empty() && std::isfinite(s.uncertainty)) {
+            auto& [sum, ends] = squares[s.input];
+            sum += s.uncertainty * s.uncertainty;
+            ++ends;
+        }
+    std::map<std::string, double> inputs;
+    for (const auto& [name, square] : squares) inputs[name] = std::sqrt(square.first / square.second);
+    return inputs;
+}
+
 LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const std::string& name, double scale) {
     const LadderSide& side = sides[k];
     LadderValue v;
@@ -40,9 +53,11 @@ LadderValue value_of(const std::vector<LadderSide>& sides, std::size_t k, const 
     v.estimate = estimate(v.levels, scheme_order);
     v.sensitivities = sensitivities_of(sides, k, name, v.levels.front().value, scale);
     for (const Sensitivity& s : v.sensitivities)
-        if (double& sum = s.box ? v.box : v.choices; std::isfinite(s.uncertainty)) sum = std::hypot(sum, s.uncertainty);
+        if (double& sum = s.box ? v.box : v.choices; std::isfinite(s.uncertainty) && s.input.empty())
+            sum = std::hypot(sum, s.uncertainty);
+    for (const auto& [input, U] : inputs_of(v.sensitivities)) v.input = std::hypot(v.input, U);
     v.own = std::hypot(std::hypot(v.statistical, v.estimate.uncertainty), v.choices);  // of three, NaN may get lost
-    v.uncertainty = std::hypot(v.own, v.box);
+    v.uncertainty = std::hypot(v.own, std::hypot(v.box, v.input));
     std::vector<CostPoint> points;
     for (std::size_t i = 0; i < v.estimate.uncertainties.size(); ++i) {
         const double U = std::hypot(v.estimate.uncertainties[i], v.half_widths[i]);

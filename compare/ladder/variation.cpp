@@ -27,7 +27,7 @@ bool encloses(const std::vector<double>& wide, const std::vector<double>& box) {
 
 Sensitivity sensitivity_of(const LadderSide& side, const LadderVariation& v, const std::string& name) {
     const auto base = std::ranges::find_if(side.runs, [&](const LadderRun& r) { return same_rung(r, v.run); });
-    Sensitivity s{v.name, v.run.spacing, std::nan(""), std::nan(""), std::nan(""), v.box, v.refused};
+    Sensitivity s{v.name, v.run.spacing, std::nan(""), std::nan(""), std::nan(""), v.box, v.refused, v.input};
     const Quantity *a = find_quantity(*base, name), *b = find_quantity(v.run, name);
     if (!a || !b || !a->values[0].known || !b->values[0].known) return s;
     s.value = a->values[0].value, s.varied = b->values[0].value;

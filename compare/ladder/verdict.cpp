@@ -30,7 +30,7 @@ std::vector<Term> terms_of(const LadderDifference& d, const LadderQuantity& q, c
         terms.push_back({v.estimate.uncertainty, method_label(sides[k].method) + "'s discretisation error", k,
                          Term::discretisation});
         for (const Sensitivity& s : v.sensitivities)
-            if (std::isfinite(s.uncertainty) && !s.box)
+            if (std::isfinite(s.uncertainty) && !s.box && s.input.empty())
                 terms.push_back({s.uncertainty, method_label(sides[k].method) + "'s " + s.name, k, Term::choice});
     }
     return terms;

@@ -141,7 +141,8 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                           "± is the 95 % interval of the statistical scatter of the mean, of the "
                           "discretisation error (from " +
                           c.discretisation_from +
-                          ") and of other choices (box, sound speed, time step) as far as runs were made for them.");
+                          ") and of other choices (box, sound speed, time step) and of uncertain input as far as runs "
+                          "were made for them.");
     if (pair)
         table.notes.push_back(fmt::format(
             "Agree: the difference lies inside the joint interval, and that is at most {:g} % of the value, or both "

@@ -87,6 +87,17 @@ std::map<NameOfValue, Named> values_of(const ValidationReport& report) {
     return all;
 }
 
+/// Of all values, in the order of methods().
+std::vector<std::string> methods_of(const ValidationReport& report) {
+    std::vector<std::string> methods;
+    for (const ValidatedCase& c : report.cases)
+        for (const ValidatedQuantity& q : c.quantities)
+            for (const ValidatedValue& v : q.values)
+                if (std::ranges::find(methods, v.method) == methods.end()) methods.push_back(v.method);
+    std::ranges::sort(methods, {}, [](const std::string& m) { return std::pair(method_rank(m), m); });
+    return methods;
+}
+
 std::string in_short(const Named& n) {
     const ValidatedValue& v = *n.value;
     return fmt::format(
@@ -124,19 +135,61 @@ void judge_against(ValidatedValue& v, const ValidatedQuantity& q) {
         v.outcome = off <= q.goal ? Outcome::near : Outcome::missed;
 }
 
+void judge_by(ValidationReport& report, const std::string& method) {
+    const bool own = method == uncertainty_methods().front();
+    report.estimator = own ? "" : method;
+    for (ValidatedCase& c : report.cases)
+        for (ValidatedQuantity& q : c.quantities)
+            for (ValidatedValue& v : q.values) {
+                if (!std::isfinite(v.value)) continue;
+                const auto by = std::ranges::find(v.by_method, method, &MethodEstimate::method);
+                v.discretisation = own ? v.own_discretisation : by != v.by_method.end() ? by->uncertainty : nan;
+                if (!own) {
+                    v.order = by != v.by_method.end() ? by->order : nan;
+                    v.why_not = by != v.by_method.end() ? by->why_not : "the report does not have this method";
+                    v.outer_below = v.outer_above = nan;
+                }
+                judge_against(v, q);
+            }
+}
+
+std::vector<EstimatorSummary> estimators_of(const ValidationReport& report) {
+    std::vector<EstimatorSummary> all;
+    for (const std::string& estimator : uncertainty_methods())
+        for (const std::string& method : methods_of(report)) {
+            EstimatorSummary sum{.estimator = estimator, .method = method};
+            std::vector<double> shares;
+            for (const ValidatedCase& c : report.cases)
+                for (const ValidatedQuantity& q : c.quantities)
+                    for (ValidatedValue v : q.values) {
+                        const auto by = std::ranges::find(v.by_method, estimator, &MethodEstimate::method);
+                        if (v.method != method || !std::isfinite(v.value) || by == v.by_method.end()) continue;
+                        ++sum.values;
+                        v.discretisation = by->uncertainty;
+                        judge_against(v, q);
+                        if (!std::isfinite(v.U_val)) continue;
+                        const bool narrow = v.U_num < narrow_share * std::abs(v.value);
+                        ++sum.given;
+                        sum.holds += v.holds();
+                        sum.narrow += narrow;
+                        sum.narrow_holds += narrow && v.holds();
+                        if (q.scale > 0) shares.push_back(100 * by->uncertainty / q.scale);
+                    }
+            sum.median_U = median(std::move(shares));
+            if (sum.values > 0) all.push_back(std::move(sum));
+        }
+    return all;
+}
+
 bool falls_short(const ValidatedValue& v, const ValidatedQuantity& q) {
     return v.outcome == Outcome::missed || (v.outcome == Outcome::not_converged && !(std::abs(v.E) <= q.goal));
 }
 
 std::vector<FamilySummary> summaries_of(const ValidationReport& report) {
-    std::vector<std::string> families{""}, methods;
-    for (const ValidatedCase& c : report.cases) {
+    std::vector<std::string> families{""};
+    for (const ValidatedCase& c : report.cases)
         if (std::ranges::find(families, c.family) == families.end()) families.push_back(c.family);
-        for (const ValidatedQuantity& q : c.quantities)
-            for (const ValidatedValue& v : q.values)
-                if (std::ranges::find(methods, v.method) == methods.end()) methods.push_back(v.method);
-    }
-    std::ranges::sort(methods, {}, [](const std::string& m) { return std::pair(method_rank(m), m); });
+    const std::vector<std::string> methods = methods_of(report);
     std::vector<FamilySummary> all;
     for (const std::string& family : families)
         for (const std::string& method : methods)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/numbers.h"
+#include "compare/uncertainty/convergence.h"
 
 namespace tw {
 
@@ -27,6 +28,9 @@ struct ValidatedValue {
     double value = nan;                                             ///< [unit]
     double statistical = nan, discretisation = nan, choices = nan;  ///< parts of U_num [unit]: scatter, sizes, box
     double input = 0;                                               ///< what is not known of the scene [unit]
+    double own_discretisation = nan;        ///< as every report of this program has it, whatever was chosen [unit]
+    std::map<std::string, double> inputs;   ///< of which, by the name of the scene's number [unit]
+    std::vector<MethodEstimate> by_method;  ///< what each method makes of the sizes [unit]
     double outer_below = nan, outer_above = nan;   ///< with what the run leaves out [unit]; nan: nothing has a bound
     double order = nan;                            ///< observed [-]; nan: none
     std::string convergence;                       ///< monotone, scattered, ...
@@ -69,6 +73,7 @@ struct ValidatedCase {
 struct ValidationReport {
     std::string title, tier, version, machine, date, command;
     std::vector<ValidatedCase> cases;
+    std::string estimator = {};  ///< of the discretisation error, if not this program's own: see judge_by
 };
 
 /// Judges one value by ASME V&V 20-2009, all as half widths of 95 % intervals (the standard's u times 2):
@@ -83,6 +88,22 @@ struct ValidationReport {
 ///   |E| >  U_val  and  |E| <= goal    near: within the goal, and the interval claims more than that
 ///   |E| >  U_val  and  |E| >  goal    missed: an error of the model, or of the interval
 void judge_against(ValidatedValue& value, const ValidatedQuantity& quantity);
+
+/// Judges every value anew with the discretisation error by one of uncertainty_methods(): "trend_and_noise" is what every
+/// report has (of two sizes the GCI with an assumed order); of the others a value without an uncertainty is not converged
+/// for the reason that the method gives. The outer intervals, which are made with this program's own, are left out.
+void judge_by(ValidationReport& report, const std::string& method);
+
+/// How often the intervals of one method of estimating the discretisation error hold the truth, of one solver's values.
+struct EstimatorSummary {
+    std::string estimator, method;
+    int values = 0, given = 0;         ///< that have a value, and those of them that have an interval by it
+    int holds = 0;                     ///< |E| <= U_val with it, of those given
+    int narrow = 0, narrow_holds = 0;  ///< U_num with it below 15 % of the value
+    double median_U = nan;             ///< of the discretisation error alone, over the scale [%]
+};
+/// In the order of uncertainty_methods(), each for the methods in the order of methods().
+std::vector<EstimatorSummary> estimators_of(const ValidationReport& report);
 
 /// Missed, or not converged and farther away than the goal: not what the suite aims at.
 bool falls_short(const ValidatedValue& value, const ValidatedQuantity& quantity);

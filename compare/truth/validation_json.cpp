@@ -14,12 +14,24 @@ using Read = nlohmann::json;
 ValidationJson json_of(const ValidatedValue& v) {
     ValidationJson spacings = ValidationJson::array(), by_size = ValidationJson::array();
     for (const auto& [spacing, value] : v.sizes) spacings.push_back(spacing), by_size.push_back(value);
+    ValidationJson by_method = ValidationJson::array();
+    for (const MethodEstimate& m : v.by_method)
+        by_method.push_back({{"estimator", m.method},
+                             {"sizes", m.levels},
+                             {"order", m.order},
+                             {"class", to_string(m.convergence)},
+                             {"limit", m.limit},
+                             {"uncertainty", m.uncertainty},
+                             {"why_not", m.why_not}});
     return {{"method", v.method},
             {"value", v.value},
             {"statistical", v.statistical},
             {"discretisation", v.discretisation},
             {"choices", v.choices},
             {"input", v.input},
+            {"inputs", v.inputs},
+            {"own_discretisation", v.own_discretisation},
+            {"discretisation_by", by_method},
             {"outer_below", v.outer_below},
             {"outer_above", v.outer_above},
             {"order", v.order},
@@ -66,6 +78,12 @@ double number_or_nan(const Read& from, const char* key) {
     return value.is_null() ? nan : value.get<double>();
 }
 
+Convergence convergence_of(const std::string& name) {
+    for (int k = 0; k <= static_cast<int>(Convergence::irregular); ++k)
+        if (const auto c = static_cast<Convergence>(k); to_string(c) == name) return c;
+    throw InputError("no class of convergence is called " + name);
+}
+
 ValidatedValue value_in(const Read& from) {
     ValidatedValue v;
     v.method = from.at("method"), v.value = number_or_nan(from, "value");
@@ -78,6 +96,14 @@ ValidatedValue value_in(const Read& from) {
         v.sizes.emplace_back(spacings.at(k).get<double>(), by_size.at(k).get<double>());
     v.E = number_or_nan(from, "E"), v.U_num = number_or_nan(from, "U_num"), v.U_val = number_or_nan(from, "U_val");
     v.why_not = from.at("why_not");
+    if (from.contains("inputs")) v.inputs = from["inputs"].get<std::map<std::string, double>>();
+    v.own_discretisation =
+        from.contains("own_discretisation") ? number_or_nan(from, "own_discretisation") : v.discretisation;
+    if (const auto by_method = from.find("discretisation_by"); by_method != from.end())  // earlier reports have none
+        for (const Read& m : *by_method)
+            v.by_method.push_back({m.at("estimator"), m.at("sizes").get<std::size_t>(), number_or_nan(m, "order"),
+                                   convergence_of(m.at("class")), number_or_nan(m, "limit"),
+                                   number_or_nan(m, "uncertainty"), m.at("why_not")});
     try {
         v.outcome = outcome_of(from.at("outcome"));
     } catch (const std::out_of_range& e) { throw InputError(e.what()); }
@@ -127,9 +153,21 @@ std::string validation_json(const ValidationReport& report) {
                             {"fall_short", f.fall_short},
                             {"median_error_per_cent", f.median_error},
                             {"core_seconds", f.core_seconds}});
-    const ValidationJson all = {{"title", report.title},     {"tier", report.tier}, {"version", report.version},
-                                {"machine", report.machine}, {"date", report.date}, {"command", report.command},
-                                {"families", families},      {"cases", cases}};
+    ValidationJson estimators = ValidationJson::array();
+    for (const EstimatorSummary& e : estimators_of(report))
+        estimators.push_back({{"estimator", e.estimator},
+                              {"method", e.method},
+                              {"values", e.values},
+                              {"given", e.given},
+                              {"holds", e.holds},
+                              {"narrow", e.narrow},
+                              {"narrow_holds", e.narrow_holds},
+                              {"median_U_per_cent", e.median_U}});
+    const ValidationJson all = {{"title", report.title},         {"tier", report.tier},
+                                {"version", report.version},     {"machine", report.machine},
+                                {"date", report.date},           {"command", report.command},
+                                {"estimator", report.estimator}, {"families", families},
+                                {"estimators", estimators},      {"cases", cases}};
     return all.dump(1, ' ', false, ValidationJson::error_handler_t::replace) + "\n";
 }
 
@@ -138,6 +176,7 @@ ValidationReport read_validation(const std::filesystem::path& file) {
     read_own_json(file, [&](const Read& from) {
         report.title = from.at("title"), report.tier = from.at("tier"), report.version = from.at("version");
         report.machine = from.at("machine"), report.date = from.at("date"), report.command = from.at("command");
+        report.estimator = from.value("estimator", "");
         for (const Read& c : from.at("cases")) report.cases.push_back(case_in(c));
     });
     return report;

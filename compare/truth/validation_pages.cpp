@@ -57,8 +57,8 @@ std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
     page += "\n";
     if (!c.shows.empty()) page += "## What it shows\n\n" + wrapped(plain_markdown(c.shows)) + "\n";
     if (!c.shows_not.empty()) page += "## What it does not show\n\n" + wrapped(plain_markdown(c.shows_not)) + "\n";
-    ReportTable parts = parts_table(c), costs = cost_table(c);
-    for (ReportTable* table : {&parts, &costs})
+    ReportTable parts = parts_table(c), by_method = estimators_table(c), costs = cost_table(c);
+    for (ReportTable* table : {&parts, &by_method, &costs})
         if (const std::string title = std::exchange(table->title, ""); !table->empty())
             page += "## " + title + "\n\n" + text_of(*table) + "\n";
     return page + made_from(report);
@@ -77,8 +77,10 @@ std::vector<MadePage> validation_pages(const ValidationReport& report) {
             c.why_not.empty() ? plain_markdown(c.why) : "not run with this version: " + plain_markdown(c.why_not)));
         pages.push_back({c.name + ".md", page_of(report, c)});
     }
-    ReportTable families = family_table(report), values = validation_table(report);
-    for (ReportTable* table : {&families, &values}) {
+    ReportTable families = family_table(report), estimators = estimators_table(report),
+                values = validation_table(report);
+    for (ReportTable* table : {&families, &estimators, &values}) {
+        if (table->empty()) continue;  // reports of earlier versions have no estimators
         const std::string title = std::exchange(table->title, "");
         index += "\n## " + title + "\n\n" + text_of(*table);
     }

@@ -53,7 +53,8 @@ std::vector<std::string> families_of(const ValidationReport& report) {
 }
 
 std::string facts_of(const ValidationReport& r) {
-    return fmt::format("twinwake {}, {}, {}; tier {}; {}", r.version, r.machine, r.date, r.tier, r.command);
+    return fmt::format("twinwake {}, {}, {}; tier {}; {}{}", r.version, r.machine, r.date, r.tier, r.command,
+                       r.estimator.empty() ? "" : "; discretisation error by " + uncertainty_method_label(r.estimator));
 }
 
 /// "missed: 3.1 ± 0.2 Pa where 3.5 ± 0 Pa is true, goal 0.1".
@@ -65,7 +66,7 @@ std::string in_words(const ValidatedValue& v, const ValidatedQuantity& q) {
 }  // namespace
 
 std::string validation_text(const ValidationReport& report, const std::vector<ValidationChange>& changes) {
-    std::vector<ReportTable> tables{validation_table(report), family_table(report)};
+    std::vector<ReportTable> tables{validation_table(report), family_table(report), estimators_table(report)};
     if (!changes.empty()) tables.push_back(change_table(changes, {}));
     return fmt::format("# {}\n", for_terminal(report.title)) + text_of(tables);
 }
@@ -78,7 +79,7 @@ std::string validation_html(const ValidationReport& report, const std::vector<Va
         page += html_of(change_table(changes, since));
         if (changes.empty()) page += "<p>Nothing changed since " + escaped(since) + ".</p>";
     }
-    page += html_of(family_table(report));
+    page += html_of(std::vector{family_table(report), estimators_table(report)});
     page += "<h2>Values against truths</h2><div class=\"pair\">";
     for (const std::string& family : families_of(report)) page += plot_against_truth(report, family);
     page += "</div>" + html_of(validation_table(report));
@@ -87,40 +88,57 @@ std::string validation_html(const ValidationReport& report, const std::vector<Va
         page += "<p class=\"note\">" +
                 escaped(fmt::format("{}; tier {}; {}", c.family, c.tier, fmt::join(c.scenes, ", "))) + "</p>";
         if (!c.why_not.empty()) page += "<p><b>" + escaped(c.why_not) + "</b></p>";
-        page += html_of(std::vector{parts_table(c), cost_table(c)}, 3);
+        page += html_of(std::vector{parts_table(c), estimators_table(c), cost_table(c)}, 3);
     }
     return page + page_end;
 }
 
 std::string validation_csv(const ValidationReport& report) {
-    ReportTable table{
-        "", {words("case"),    words("family"),        words("tier"),          words("quantity"), words("unit"),
-             words("method"),  numbers("truth"),       numbers("U_D"),         words("standing"), numbers("value"),
-             numbers("U_num"), numbers("U_input"),     numbers("U_val"),       numbers("E"),      numbers("goal"),
-             numbers("order"), numbers("outer_below"), numbers("outer_above"), words("outcome"),  words("reason")}};
+    ReportTable table{"", {words("case"),          words("family"),
+                           words("tier"),          words("quantity"),
+                           words("unit"),          words("method"),
+                           numbers("truth"),       numbers("U_D"),
+                           words("standing"),      numbers("value"),
+                           numbers("U_num"),       numbers("U_input"),
+                           numbers("U_val"),       numbers("E"),
+                           numbers("goal"),        numbers("order"),
+                           numbers("outer_below"), numbers("outer_above"),
+                           words("outcome"),       words("reason"),
+                           numbers("U_scatter"),   numbers("U_discretisation"),
+                           numbers("U_box")}};
+    for (const std::string& estimator : uncertainty_methods()) table.columns.push_back(numbers("U_" + estimator));
     for (const ValidatedCase& c : report.cases)
         for (const ValidatedQuantity& q : c.quantities)
-            for (const ValidatedValue& v : q.values)
-                table.rows.push_back({{c.name,
-                                       c.family,
-                                       c.tier,
-                                       q.name,
-                                       q.unit,
-                                       v.method,
-                                       q.truth.value,
-                                       q.truth.half_width,
-                                       q.truth.standing,
-                                       v.value,
-                                       v.U_num,
-                                       v.input,
-                                       v.U_val,
-                                       v.E,
-                                       q.goal,
-                                       v.order,
-                                       v.outer_below,
-                                       v.outer_above,
-                                       to_string(v.outcome),
-                                       v.why_not}});
+            for (const ValidatedValue& v : q.values) {
+                ReportRow row{{c.name,
+                               c.family,
+                               c.tier,
+                               q.name,
+                               q.unit,
+                               v.method,
+                               q.truth.value,
+                               q.truth.half_width,
+                               q.truth.standing,
+                               v.value,
+                               v.U_num,
+                               v.input,
+                               v.U_val,
+                               v.E,
+                               q.goal,
+                               v.order,
+                               v.outer_below,
+                               v.outer_above,
+                               to_string(v.outcome),
+                               v.why_not,
+                               v.statistical,
+                               v.discretisation,
+                               v.choices}};
+                for (const std::string& estimator : uncertainty_methods()) {
+                    const auto by = std::ranges::find(v.by_method, estimator, &MethodEstimate::method);
+                    row.cells.emplace_back(by == v.by_method.end() ? nan : by->uncertainty);
+                }
+                table.rows.push_back(std::move(row));
+            }
     return csv_of(table);
 }
 

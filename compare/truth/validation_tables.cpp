@@ -104,17 +104,61 @@ ReportTable family_table(const ValidationReport& report) {
 ReportTable parts_table(const ValidatedCase& one) {
     ReportTable table{"What U_val is made of",
                       {words("Quantity"), words("unit"), words("method"), numbers("scatter"), numbers("discretisation"),
-                       numbers("box, choices"), numbers("input"), numbers("truth"), words("convergence"),
-                       numbers("order"), words("values by size, finest first")}};
+                       numbers("box, choices"), numbers("input"), numbers("truth"), numbers("U_val"),
+                       words("convergence"), numbers("order"), words("values by size, finest first")}};
     for (const ValidatedQuantity& q : one.quantities)
         for (const ValidatedValue& v : q.values) {
             if (!std::isfinite(v.value)) continue;
             std::string sizes;
             for (const auto& [spacing, value] : v.sizes)
                 sizes += fmt::format("{}{:.4g} ({:.3g} mm)", sizes.empty() ? "" : ", ", value, 1e3 * spacing);
+            std::string inputs;
+            for (const auto& [name, U] : v.inputs)
+                inputs += fmt::format("{}{}: {:.3g}", inputs.empty() ? "input: " : ", ", name, U);
             table.rows.push_back({{q.label, q.unit, method_label(v.method), v.statistical, v.discretisation, v.choices,
-                                   v.input, q.truth.half_width, v.convergence, v.order, sizes}});
+                                   v.input, q.truth.half_width, v.U_val, v.convergence, v.order, sizes},
+                                  inputs});
         }
+    return table;
+}
+
+ReportTable estimators_table(const ValidatedCase& one) {
+    ReportTable table{"The discretisation error by each method",
+                      {words("Quantity"), words("unit"), words("method"), numbers("value")}};
+    for (const std::string& estimator : uncertainty_methods()) {
+        table.columns.push_back(numbers(uncertainty_method_label(estimator)));
+        if (estimator != uncertainty_methods().front()) table.columns.push_back(numbers("its order"));
+    }
+    for (const ValidatedQuantity& q : one.quantities)
+        for (const ValidatedValue& v : q.values) {
+            if (!std::isfinite(v.value) || v.by_method.empty()) continue;
+            ReportRow row{{q.label, q.unit, run_cell(method_label(v.method), method_rank(v.method)),
+                           value_text(v.value, v.U_num)}};
+            for (const MethodEstimate& m : v.by_method) {
+                row.cells.emplace_back(m.uncertainty);
+                if (m.method != uncertainty_methods().front()) row.cells.emplace_back(m.order);
+                if (!m.why_not.empty())
+                    row.remark +=
+                        (row.remark.empty() ? "" : "; ") + uncertainty_method_label(m.method) + ": " + m.why_not;
+            }
+            table.rows.push_back(std::move(row));
+        }
+    return table;
+}
+
+ReportTable estimators_table(const ValidationReport& report) {
+    ReportTable table{"The same by other methods for the discretisation error",
+                      {words("Discretisation error by"), words("method"), numbers("has an interval"),
+                       numbers("interval holds"), numbers("narrow ones that hold"), numbers("its median U")}};
+    for (const EstimatorSummary& e : estimators_of(report))
+        table.rows.push_back(
+            {{uncertainty_method_label(e.estimator), run_cell(method_label(e.method), method_rank(e.method)),
+              share(e.given, e.values), share(e.holds, e.given), share(e.narrow_holds, e.narrow),
+              std::isfinite(e.median_U) ? share_text(e.median_U) : "–"}});
+    table.notes.push_back(
+        "Scatter, box, input and the truth's uncertainty are the same for all. GCI: Celik et al. 2008, Fs = 1.25, of "
+        "the three finest sizes. Eça & Hoekstra 2014: least squares, of four sizes and more. Factor of safety: Xing & "
+        "Stern 2010, monotone values only. Median U: of the discretisation error alone, in per cent of the truth.");
     return table;
 }
 

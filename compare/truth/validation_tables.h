@@ -17,6 +17,10 @@ ReportTable validation_table(const ValidatedCase& one);
 ReportTable family_table(const ValidationReport& report);
 /// What U_val is made of, with the values of all sizes.
 ReportTable parts_table(const ValidatedCase& one);
+/// What each method makes of the sizes of every value.
+ReportTable estimators_table(const ValidatedCase& one);
+/// How often the intervals of each method hold the truth.
+ReportTable estimators_table(const ValidationReport& report);
 ReportTable cost_table(const ValidatedCase& one);
 /// `since`: the earlier report's name; empty: it is not said.
 ReportTable change_table(const std::vector<ValidationChange>& changes, const std::string& since);

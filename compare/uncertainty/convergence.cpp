@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/errors.h"
@@ -174,6 +175,31 @@ std::string irregular_sentence(const Estimate& e, const std::string& value) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& uncertainty_methods() {
+    static const std::vector<std::string> methods{"trend_and_noise", "eca_hoekstra", "gci", "factor_of_safety"};
+    return methods;
+}
+
+std::string uncertainty_method_label(const std::string& method) {
+    static const std::array labels{"trend and noise", "Eça & Hoekstra", "GCI", "factor of safety"};
+    const auto at = std::ranges::find(uncertainty_methods(), method);
+    return at == uncertainty_methods().end() ? method
+                                             : labels.at(static_cast<std::size_t>(at - uncertainty_methods().begin()));
+}
+
+std::vector<MethodEstimate> method_estimates(const Estimate& e) {
+    const std::vector<std::string>& names = uncertainty_methods();
+    const TrendNoise& trend = e.trend_noise;
+    const EcaHoekstra& eca = e.eca_hoekstra;
+    const CelikGci& gci = e.celik_gci;
+    const XingStern& fs = e.xing_stern;
+    const std::size_t n = e.levels.size(), three = std::min<std::size_t>(n, 3);
+    return {{names[0], n, nan, e.convergence, trend.phi0, trend.uncertainty, trend.why_not},
+            {names[1], n, eca.p, eca.convergence, eca.phi0, eca.uncertainty, eca.why_not},
+            {names[2], three, gci.p, gci.convergence, gci.phi_ext, gci.uncertainty, gci.why_not},
+            {names[3], three, fs.p, fs.convergence, fs.limit, fs.uncertainty, fs.why_not}};
+}
 
 Estimate estimate(std::vector<StudyLevel> levels, double p_th) {
     if (!(p_th >= 0.1 && p_th <= 10))

@@ -10,6 +10,24 @@
 
 namespace tw {
 
+struct Estimate;
+
+/// What one method makes of a study's sizes.
+struct MethodEstimate {
+    std::string method;      ///< one of uncertainty_methods()
+    std::size_t levels = 0;  ///< how many sizes it uses
+    double order = nan;      ///< [-]; nan: none
+    Convergence convergence = Convergence::unknown;
+    double limit = nan, uncertainty = nan;  ///< [unit of the value]; nan: none
+    std::string why_not;                    ///< why there is no uncertainty; empty where there is one
+};
+/// "trend_and_noise", "eca_hoekstra", "gci", "factor_of_safety".
+const std::vector<std::string>& uncertainty_methods();
+/// "trend and noise", "Eça & Hoekstra", "GCI", "factor of safety".
+std::string uncertainty_method_label(const std::string& method);
+/// What every method says, in that order.
+std::vector<MethodEstimate> method_estimates(const Estimate& estimate);
+
 /// What a refinement study says of one quantity. The headline (limit, uncertainty) comes
 /// - from three levels on from trend and noise (trend_noise.h): of the estimators here the only one whose intervals hold
 ///   the truth in 90 to 99 % of the cases with and without scatter (docs/results/coverage.md). The bound of Eca &

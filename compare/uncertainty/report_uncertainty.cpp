@@ -14,31 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the methods have in common.
-struct MethodRow {
-    std::string name;
-    std::size_t levels;  ///< how many it uses
-    double order;
-    Convergence convergence;
-    double limit, uncertainty;
-    std::string why_not;
-};
-
-std::vector<MethodRow> rows_of(const Estimate& e) {
-    const TrendNoise& trend = e.trend_noise;
-    const EcaHoekstra& eca = e.eca_hoekstra;
-    const CelikGci& gci = e.celik_gci;
-    const XingStern& fs = e.xing_stern;
-    const std::size_t n = e.levels.size();
-    return {{"trend and noise", n, nan, e.convergence, trend.phi0, trend.uncertainty, trend.why_not},
-            {"least squares (Eca & Hoekstra)", n, eca.p, eca.convergence, eca.phi0, eca.uncertainty, eca.why_not},
-            {n == 2 ? "GCI, order assumed" : "GCI (Celik)", std::min<std::size_t>(n, 3), gci.p, gci.convergence,
-             gci.phi_ext, gci.uncertainty, gci.why_not},
-            {"factor of safety (Xing & Stern)", std::min<std::size_t>(n, 3), fs.p, fs.convergence, fs.limit,
-             fs.uncertainty, fs.why_not}};
+/// The method's name for a table of its own, where there is room.
+std::string long_name(const Estimate& e, const MethodEstimate& m) {
+    if (m.method == "eca_hoekstra") return "least squares (Eca & Hoekstra)";
+    if (m.method == "gci") return e.levels.size() == 2 ? "GCI, order assumed" : "GCI (Celik)";
+    if (m.method == "factor_of_safety") return "factor of safety (Xing & Stern)";
+    return uncertainty_method_label(m.method);
 }
 
-Json method_json(const MethodRow& m) {
+Json method_json(const MethodEstimate& m) {
     Json json = {{"order", m.order},
                  {"limit", m.limit},
                  {"uncertainty", m.uncertainty},
@@ -50,7 +34,7 @@ Json method_json(const MethodRow& m) {
 
 /// The methods, each with its own numbers behind the common ones.
 Json methods_json(const Estimate& e) {
-    const std::vector<MethodRow> rows = rows_of(e);
+    const std::vector<MethodEstimate> rows = method_estimates(e);
     Json trend = method_json(rows[0]), eca = method_json(rows[1]), gci = method_json(rows[2]),
          fs = method_json(rows[3]);
     if (e.trend_noise.known)
@@ -90,11 +74,11 @@ std::string uncertainty_text(const std::vector<QuantityEstimate>& quantities, co
         ReportTable table{q.name,
                           {words("method"), numbers("levels"), numbers("order"), words("class"),
                            numbers("limit", "", 6), numbers("U"), numbers("U", "%", 2)}};
-        for (const MethodRow& m : rows_of(e)) {
+        for (const MethodEstimate& m : method_estimates(e)) {
             const double per_cent = finest != 0 ? 100 * m.uncertainty / std::abs(finest) : nan;
-            table.rows.push_back(
-                {{m.name, m.levels, place(m.order), to_string(m.convergence), m.limit, m.uncertainty, per_cent},
-                 m.why_not});
+            table.rows.push_back({{long_name(e, m), m.levels, place(m.order), to_string(m.convergence), m.limit,
+                                   m.uncertainty, per_cent},
+                                  m.why_not});
         }
         table.notes.push_back(
             fmt::format("{} level{}, {} = {:g}{}; finest value {:.6g}; order of the scheme {:g}", e.levels.size(),

@@ -104,6 +104,14 @@ const std::vector<SectionRow>& scene_sections() {
          "Physical effects: \"auto\" (the plan decides), \"on\" or \"off\". `--effect NAME=on` on the command line "
          "takes "
          "precedence."},
+        {"uncertain", false,
+         "Numbers of this scene that are known within an interval only: name of the number = half width of its 95 % "
+         "interval, a size or per cent, e.g. `hull.draft = \"1 mm\"`, or `draft = \"1 mm\"` where the scene has no "
+         "other "
+         "draft. Of a repeated section the name stands between: "
+         "`body.rod.density`, or its place: `body.1.density`; an entry of a list has its place behind it: "
+         "`tank.size.3`. Studies run the coarsest size with either end of it, see "
+         "[theory](theory.md#uncertain-input). In no hash."},
         {"sph", false, "Numerics of the particle method."},
         {"fvm", false, "Numerics of the mesh method (interFoam)."},
     };

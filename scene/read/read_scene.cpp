@@ -13,6 +13,7 @@
 #include "scene/read/check_scene.h"
 #include "scene/read/domain.h"
 #include "scene/read/read.h"
+#include "scene/read/uncertain.h"
 #include "scene/solids/attitude.h"
 #include "scene/solids/vortex_shedding.h"
 #include "scene/water/quiet_layer.h"
@@ -139,6 +140,7 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
     for (const std::string& method : method_names()) s.numerics.emplace(method, one(method));
     s.root = root;
     s.root.know("title");
+    s.root.know("uncertain");
     s.root.finish();
     return s;
 }
@@ -363,11 +365,36 @@ void settle_effects(Reading& r) {
 
 }  // namespace
 
+std::vector<UncertainNumber> uncertain_numbers(const std::filesystem::path& scene, const SceneOverrides& overrides,
+                                               const UncertainTable* more) {
+    TextValue document = parse_document(read_text_within(scene, largest_document), scene);
+    apply(overrides, document);
+    std::vector<UncertainNumber> numbers;
+    if (const TextValue* own = document.find("uncertain")) numbers = uncertain_numbers_of({scene, *own}, document);
+    if (!more) return numbers;
+    for (UncertainNumber& number : uncertain_numbers_of(*more, document)) {
+        std::erase_if(numbers, [&](const UncertainNumber& own) { return own.name == number.name; });
+        numbers.push_back(std::move(number));
+    }
+    return numbers;
+}
+
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+    return read_scene(file, overrides, {});
+}
+
+Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides, const ChangedNumbers& changed) {
     std::string text = read_text_within(file, largest_document);
     TextValue document = parse_document(text, file);
     forget_auto_duration(document);
     apply(overrides, document);
+    if (const TextValue* uncertain = document.find("uncertain")) {
+        if (uncertain->kind != TextValue::Kind::table)
+            throw InputError(fmt::format("{}:{}:{}: uncertain: expected a section [uncertain]", file.string(),
+                                         uncertain->place.line, uncertain->place.column));
+        uncertain_numbers_of({file, *uncertain}, document);  // refused here, although only studies use them
+    }
+    change_numbers(document, changed, file);
     Reading r{.sections = split_sections(file, document), .overrides = overrides};
     r.scene.file = file;
     r.scene.text = std::move(text);

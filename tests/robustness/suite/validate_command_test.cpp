@@ -122,7 +122,10 @@ reading = { table = "samples", column = "max_speed", from = 0.1 }
 )");
     const Outcome o = twinwake({"validate", "my", "--out", "out"});
     EXPECT_EQ(o.status, 0) << o.err;
-    EXPECT_NEAR(report()["cases"][0]["quantities"][0]["values"][0]["input"].get<double>(), 0.5, 0.1) << o.out;
+    const nlohmann::json value = report()["cases"][0]["quantities"][0]["values"][0];
+    EXPECT_NEAR(value["input"].get<double>(), 0.5, 0.1) << o.out;
+    EXPECT_EQ(value["inputs"]["motion.speed"], value["input"]);
+    EXPECT_EQ(value["discretisation_by"].size(), 4u);
 }
 
 TEST_F(ValidateCommand, WhatIsWrongEndsInWordsBeforeAnyRun) {

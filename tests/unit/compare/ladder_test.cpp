@@ -349,6 +349,35 @@ TEST(Ladder, ARunWithAGeometricSurfaceIsAVariationOfItsTwinAndCountsInFull) {
     EXPECT_TRUE(take_variations(runs).empty());
 }
 
+// Two ends of a draft that change the lift by +30 and -10, and one of a trim that changes it by 40.
+TEST(Ladder, UncertainInputIsPartOfAValueAndNotOfTheDifference) {
+    std::vector<RunRecord> records;
+    add_family(records, "sph", 2800, 24, 2);
+    add_family(records, "fvm", 2800, 2, 2);
+    const Ladder without = ladder_of(records);
+    std::vector<LadderRun> runs;
+    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
+    std::vector<LadderVariation> ends;
+    const auto add = [&](const char* input, double change) {
+        LadderRun run = runs[3];
+        for (Quantity& q : run.quantities)
+            if (q.name == "lift") q.values[0].value += change;
+        ends.push_back({std::string(input) + " at an end", 1, run});
+        ends.back().input = input;
+    };
+    add("hull.draft", 30), add("hull.draft", -10), add("hull.trim", 40);
+    const LadderQuantity alone = lift_of(without), lift = lift_of(build_ladder(runs, ends));
+    const double draft = std::sqrt((900.0 + 100.0) / 2);
+    const auto inputs = inputs_of(lift.values[0].sensitivities);
+    EXPECT_NEAR(inputs.at("hull.draft"), draft, 1e-9);
+    EXPECT_NEAR(inputs.at("hull.trim"), 40, 1e-9);
+    EXPECT_NEAR(lift.values[0].input, std::hypot(draft, 40), 1e-9);
+    EXPECT_EQ(lift.values[0].choices, 0);
+    EXPECT_NEAR(lift.values[0].uncertainty, std::hypot(alone.values[0].uncertainty, draft, 40), 1e-9);
+    EXPECT_EQ(lift.values[1].input, 0);
+    EXPECT_EQ(lift.interval, alone.interval);
+}
+
 TEST(Ladder, ARunWithAnotherSoundSpeedOrTimeStepIsAVariationOfItsTwin) {
     std::vector<LadderRun> runs;
     const std::vector<RunRecord> records = family_with_hash();

@@ -123,9 +123,72 @@ TEST(Validation, NamesWhatBecameWorse) {
     EXPECT_EQ(changes_between(before, now)[0].kind, ValidationChange::Kind::better);
 }
 
+/// The report with what other methods make of the sizes of its first two values, and a part of one's input.
+ValidationReport report_by_methods() {
+    ValidationReport r = small_report();
+    ValidatedValue &a = r.cases[0].quantities[0].values[0], &b = r.cases[0].quantities[1].values[0];
+    const auto three = [](double own, double eca, double gci) {
+        std::vector<MethodEstimate> all{{"trend_and_noise", 4, nan, Convergence::monotone, 99, own, ""},
+                                        {"eca_hoekstra", 4, 1.5, Convergence::monotone, 98, eca, ""},
+                                        {"gci", 3, 1.2, Convergence::monotone, 97, gci, ""}};
+        for (MethodEstimate& m : all)
+            if (std::isnan(m.uncertainty)) m.why_not = "needs four sizes";
+        return all;
+    };
+    a.by_method = three(4, 2, 6), a.own_discretisation = 4;
+    b.by_method = three(20, nan, 9), b.own_discretisation = 20;
+    a.input = 5, a.inputs = {{"hull.draft", 4}, {"hull.trim", 3}};
+    judge_against(a, r.cases[0].quantities[0]);
+    return r;
+}
+
+TEST(Validation, IsJudgedByAnotherMethodForTheDiscretisationErrorAndBack) {
+    ValidationReport r = report_by_methods();
+    const ValidatedValue &a = r.cases[0].quantities[0].values[0], &b = r.cases[0].quantities[1].values[0];
+    const std::string own = validation_json(r);
+    judge_by(r, "gci");
+    EXPECT_DOUBLE_EQ(a.U_num, 6);
+    EXPECT_DOUBLE_EQ(a.U_val, std::sqrt(36.0 + 25.0));  // the input's share stays
+    EXPECT_DOUBLE_EQ(a.order, 1.2);
+    EXPECT_DOUBLE_EQ(b.U_num, 9);
+    EXPECT_NE(validation_html(r, {}, "").find("discretisation error by GCI"), std::string::npos);
+    judge_by(r, "eca_hoekstra");
+    EXPECT_DOUBLE_EQ(a.U_num, 2);
+    EXPECT_EQ(b.outcome, Outcome::not_converged);
+    EXPECT_EQ(b.why_not, "needs four sizes");
+    judge_by(r, "trend_and_noise");
+    EXPECT_DOUBLE_EQ(a.U_num, 4);
+    EXPECT_DOUBLE_EQ(b.U_num, 20);
+    EXPECT_EQ(r.estimator, "");
+    EXPECT_NE(own.find("\"hull.draft\": 4.0"), std::string::npos) << own;
+}
+
+TEST(Validation, EveryMethodStandsBesideTheOthersInEveryFile) {
+    const ValidationReport r = report_by_methods();
+    const std::vector<EstimatorSummary> all = estimators_of(r);
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[0].estimator, "trend_and_noise");
+    EXPECT_EQ(all[0].given, 2);
+    EXPECT_EQ(all[0].holds, 2);  // 3 off with 4 and 5; 8 off with 20
+    EXPECT_EQ(all[1].given, 1);
+    EXPECT_EQ(all[1].values, 2);
+    EXPECT_EQ(all[2].holds, 2);
+    EXPECT_EQ(all[2].narrow, 2);
+    EXPECT_DOUBLE_EQ(all[2].median_U, 7.5);
+    const std::string csv = validation_csv(r);
+    EXPECT_NE(csv.find("U_trend_and_noise,U_eca_hoekstra,U_gci,U_factor_of_safety\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",4,2,6,"), std::string::npos) << csv;
+    for (const std::string& text : {validation_html(r, {}, ""), validation_pages(r)[1].text, validation_text(r, {})}) {
+        EXPECT_NE(text.find("GCI"), std::string::npos);
+        EXPECT_NE(text.find("Eça"), std::string::npos);
+    }
+    EXPECT_NE(validation_pages(r)[1].text.find("input: hull.draft: 4, hull.trim: 3"), std::string::npos)
+        << validation_pages(r)[1].text;
+}
+
 TEST(Validation, IsTheSameReadBackFromItsJson) {
     const fs::path file = fs::temp_directory_path() / "validation_test.json";
-    const ValidationReport report = small_report();
+    const ValidationReport report = report_by_methods();
     write_text_atomically(file, validation_json(report));
     EXPECT_EQ(validation_json(read_validation(file)), validation_json(report));
     EXPECT_EQ(validation_pages(read_validation(file))[1].text, validation_pages(report)[1].text);
