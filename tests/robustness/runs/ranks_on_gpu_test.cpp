@@ -77,10 +77,8 @@ TEST_F(RanksOnGpu, APlateThatBendsHasTheSameBytes) {
 }
 
 TEST_F(RanksOnGpu, ARunWithTwoSizesGoesOnWithAnotherNumberOfRanks) {
-    goes_on_with_another_number_of_ranks(column_and_fine_particles(), folder_, on_gpu({"--near-hull", "40mm"}),
-                                         {"0.1s", "0.15s", "0.2s"});
-    const fs::path one = folder_.path() / "ranks_1/sph";
-    for (const char* of : {"births", "spray"}) EXPECT_GT(last(one, 1, of), 0) << of;
+    goes_on_with_another_number_of_ranks(column_and_fine_particles(), folder_, on_gpu({}));
+    for (const char* of : {"births", "spray"}) EXPECT_GT(last(folder_.path() / "ranks_1/sph", 1, of), 10) << of;
 }
 
 TEST_F(RanksOnGpu, TheSprayGateTakesTheSameBytes) {

@@ -108,7 +108,7 @@ std::string column_and_fine_particles() {
 }
 
 void goes_on_with_another_number_of_ranks(const std::string& text, const ScratchFolder& folder,
-                                          const std::vector<std::string>& more, const std::vector<std::string>& until) {
+                                          const std::vector<std::string>& more) {
     const fs::path scene = folder.path() / "scene.toml";
     write_text_atomically(scene, text);
     const auto to = [&](const std::string& end) {
@@ -116,9 +116,8 @@ void goes_on_with_another_number_of_ranks(const std::string& text, const Scratch
         words.insert(words.end(), more.begin(), more.end());
         return words;
     };
-    const fs::path whole = run(scene, folder.path(), 1, to(until[2])),
-                   parts = run(scene, folder.path(), 4, to(until[0]));
-    for (const auto& [ranks, end] : {std::pair{1, until[1]}, {3, until[2]}}) {
+    const fs::path whole = run(scene, folder.path(), 1, more), parts = run(scene, folder.path(), 4, to("0.1s"));
+    for (const auto& [ranks, end] : {std::pair{1, "0.2s"}, {3, "0.3s"}}) {
         std::vector<std::string> words = command(scene, parts.parent_path(), ranks), rest = to(end);
         words.emplace_back("--resume");
         words.insert(words.end(), rest.begin(), rest.end());

@@ -31,8 +31,7 @@ void same_for_any_ranks(const fs::path& scene, const fs::path& folder, const std
                         const std::vector<std::string>& more = {});
 /// Of a scene to 0.3 s: to 0.1 s with 4 ranks, to 0.2 s with one, to its end with 3. `more`: words of each command.
 void goes_on_with_another_number_of_ranks(const std::string& text, const ScratchFolder& folder,
-                                          const std::vector<std::string>& more = {},
-                                          const std::vector<std::string>& until = {"0.1s", "0.2s", "0.3s"});
+                                          const std::vector<std::string>& more = {});
 
 extern const char* const column_on_an_obstacle;
 /// Water that runs into the zone of finer particles about an obstacle.
