@@ -19,6 +19,7 @@
 #include "meshes/read/cad.h"
 #include "meshes/read/drawing_unit.h"
 #include "meshes/read/gzip.h"
+#include "meshes/read/named_solid.h"
 #include "meshes/read/ply.h"
 #include "meshes/read/precheck.h"
 #include "meshes/read/stl.h"
@@ -130,7 +131,23 @@ std::size_t byte_order_mark(const fs::path& file, const std::string& type, const
     return content.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 }
 
-Surface read_by_type(const fs::path& file, std::string_view unit) {
+/// The corners that no triangle has, of the file's other solids, left out.
+Surface without_unused_points(Surface surface) {
+    std::vector<int> place(surface.points.size(), -1);
+    std::vector<Vec3> points;
+    for (auto& triangle : surface.triangles)
+        for (int& corner : triangle) {
+            int& to = place[static_cast<std::size_t>(corner)];
+            if (to < 0)
+                to = static_cast<int>(points.size()),
+                points.push_back(surface.points[static_cast<std::size_t>(corner)]);
+            corner = to;
+        }
+    surface.points = std::move(points);
+    return surface;
+}
+
+Surface read_by_type(const fs::path& file, std::string_view unit, const std::string& name) {
     const bool packed = lower_case(file.extension().string()) == ".gz";
     const std::string type = lower_case((packed ? file.stem() : file.filename()).extension().string());
     const bool iges = type == ".igs" || type == ".iges", drawing = iges || type == ".stp" || type == ".step";
@@ -165,25 +182,40 @@ Surface read_by_type(const fs::path& file, std::string_view unit) {
         content.erase(0, mark);
         readable = memory.emplace(content).path();
     }
+    if (!name.empty() && (type == ".ply" || type == ".vtp" || (type == ".stl" && !is_ascii_stl(content))))
+        throw InputError(
+            file.string() +
+            (type == ".stl" ? ": a binary STL file names no solids" : ": this kind of file names no solids") +
+            "; leave #" + name + " out, or export the bodies as STEP, OBJ or ascii STL");
     if (type == ".obj") {
+        if (!name.empty()) {
+            content = only_named_in_obj(file, content, name);
+            readable = memory.emplace(content).path();
+            check_obj(file, content);
+            return without_unused_points(from_vtk(file, read_obj(file, readable)));
+        }
         check_obj(file, content);
         return from_vtk(file, read_obj(file, readable));
     }
     if (type == ".ply") { return from_vtk(file, read_ply(file, content)); }
-    if (drawing) return welded(from_vtk(file, read_cad(file, readable, iges)), metres_apart_in_drawings);
+    if (drawing) return welded(from_vtk(file, read_cad(file, readable, iges, name)), metres_apart_in_drawings);
     if (type == ".vtp") {
         check_vtk_xml(file, content, "PolyData");
         return read_vtp(file, readable);
     }
+    if (!name.empty()) content = only_named_in_stl(file, content, name);
     return is_ascii_stl(content) ? read_ascii_stl(file, content) : read_binary_stl(file, content);
 }
 
 }  // namespace
 
-Surface read_surface(const fs::path& file, std::string_view unit, std::string_view axes) {
+Surface read_surface(const fs::path& path, std::string_view unit, std::string_view axes) {
+    const auto [file, name] = named_solid(path);
+    if (name.empty() && file != path)
+        throw InputError(path.string() + ": nothing stands behind #; expected the name of a solid in " + file.string());
     const double scale = metres_per(unit);
     const Eigen::Matrix3d turn = axis_turn(axes);
-    Surface surface = welded(read_by_type(file, unit));
+    Surface surface = welded(read_by_type(file, unit, name));
     if (surface.triangles.empty())
         throw InputError(file.string() + ": holds no triangles; export the hull as a surface mesh");
     for (Vec3& p : surface.points) {

@@ -8,6 +8,7 @@
 #include "meshes/axis_turn.h"
 #include "meshes/generate.h"
 #include "meshes/read/drawing_unit.h"
+#include "meshes/read/named_solid.h"
 #include "meshes/surface.h"
 #include "scene/read/read.h"
 #include "scene/solids/hull_axes.h"
@@ -18,9 +19,10 @@ constexpr double least_draft = 0.01;  // of the hull's height: with less its fil
 
 /// Of a drawing: the unit that it was read in.
 std::optional<Finding> unit_note(const SceneSection& s, const std::string& source) {
-    if (!s.has("file") || !is_drawing(source)) return {};
+    if (!s.has("file")) return {};
     const std::filesystem::path path =
-        s.from_option("file") ? std::filesystem::path(source) : s.file().parent_path() / source;
+        named_solid(s.from_option("file") ? std::filesystem::path(source) : s.file().parent_path() / source).file;
+    if (!is_drawing(path)) return {};
     return Finding{
         Finding::Level::note, "drawing_unit",
         fmt::format("the drawing {} is in {}, by its own header", path.filename().string(), unit_of_drawing(path)),
@@ -53,12 +55,13 @@ Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
             // A file of the command line is where the user stands, one of the scene beside the scene.
             const std::filesystem::path path =
                 s.from_option("file") ? std::filesystem::path(*file) : scene_file.parent_path() / *file;
-            if (!std::filesystem::exists(path)) s.fail("file", fmt::format("there is no file {}", path.string()));
-            if (unit_given && is_drawing(path))
+            const std::filesystem::path whole = named_solid(path).file;  // of file#solid
+            if (!std::filesystem::exists(whole)) s.fail("file", fmt::format("there is no file {}", whole.string()));
+            if (unit_given && is_drawing(whole))
                 s.fail("unit",
                        fmt::format("{} is a drawing in {}, by its own header, and is read in them; expected no unit "
                                    "beside it",
-                                   path.filename().string(), unit_of_drawing(path)));
+                                   whole.filename().string(), unit_of_drawing(whole)));
             return read_surface(path, unit, axes);
         }
         const auto found = std::ranges::find(hull_shapes(), *shape, &HullShape::name);

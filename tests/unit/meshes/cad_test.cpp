@@ -21,7 +21,9 @@ namespace cad_test {
 
 const fs::path drawings = fs::path(TWINWAKE_TEST_DATA) / "drawings";
 
-bool reads_drawings() { return fs::exists(fs::path(TWINWAKE_PROGRAM).parent_path() / "meshes/libtwinwake_drawings.so"); }
+bool reads_drawings() {
+    return fs::exists(fs::path(TWINWAKE_PROGRAM).parent_path() / "meshes/libtwinwake_drawings.so");
+}
 
 class Drawings : public testing::Test {
 protected:
@@ -64,8 +66,7 @@ TEST_F(Drawings, OfFacesAloneAreSewn) {
     expect_the_cylinder(read_surface(drawings / "cylinder.igs"));
 }
 TEST_F(Drawings, MayBeCompressed) {
-    expect_the_cylinder(
-        read_surface(written("cylinder.stp.gz", gzipped(read_text(drawings / "cylinder.step")))));
+    expect_the_cylinder(read_surface(written("cylinder.stp.gz", gzipped(read_text(drawings / "cylinder.step")))));
 }
 
 TEST_F(Drawings, InInchesWithTwoPlacedSolidsAreWhereTheyWereDrawn) {
@@ -102,6 +103,27 @@ TEST(ADrawing, ThatThisProgramCannotReadSaysWhatToInstall) {
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("libocct-data-exchange-dev"), std::string::npos);
     }
+}
+
+TEST_F(Drawings, OneOfSeveralSolidsIsTakenByItsProductsName) {
+    std::string text = read_text(drawings / "two_boxes_inch.step");
+    for (const auto& [from, to] : {std::pair{"PRODUCT('Open CASCADE STEP translator 7.6 2.1'", "PRODUCT('keel'"},
+                                   {"PRODUCT('Open CASCADE STEP translator 7.6 2.2'", "PRODUCT('fin'"}}) {
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos);
+        text.replace(at, std::string(from).size(), to);
+    }
+    const fs::path file = written("boat.step", text);
+    // equal boxes, each where its assembly places it
+    const Surface keel = read_surface(file.string() + "#keel"), fin = read_surface(file.string() + "#fin");
+    for (const Surface& s : {keel, fin}) EXPECT_NEAR(mass_properties(s).volume, 0.254 * 0.508 * 0.762, 1e-9);
+    EXPECT_NEAR(keel.bounds().min.x(), 0, 1e-9);
+    EXPECT_NEAR(keel.bounds().max.x(), 0.254, 1e-9);
+    EXPECT_NEAR(fin.bounds().max.x(), 2.54 + 0.254, 1e-9);
+    EXPECT_NEAR(fin.bounds().min.x(), 2.54, 1e-9);
+    EXPECT_NE(complaint(file.string() + "#rudder").find("called \"rudder\"; it has: keel, fin"), std::string::npos)
+        << complaint(file.string() + "#rudder");
+    EXPECT_NE(complaint(file.string() + "#").find("expected the name of a solid"), std::string::npos);
 }
 
 }  // namespace cad_test

@@ -177,6 +177,58 @@ TEST_F(ReadWrite, PolygonsBecomeTrianglesAndTextureSeamsClose) {
     EXPECT_TRUE(check_surface(cube).empty());
 }
 
+TEST_F(ReadWrite, OneOfSeveralSolidsIsTakenByItsName) {
+    const std::string tetrahedra[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+    const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    std::string stl, obj;
+    for (int body = 0; body < 2; ++body) {  // the second one twice as large
+        const std::string name = body == 0 ? "keel" : "Left fin", scale = body == 0 ? "1" : "2";
+        const auto corner = [&](int k) {
+            std::string c = tetrahedra[k];
+            for (char& x : c)
+                if (x == '1') x = scale[0];
+            return c;
+        };
+        stl += "solid " + name + "\n", obj += "o " + name + "\n";
+        for (int k = 0; k < 4; ++k) obj += "v " + corner(k) + "\n";
+        for (const auto& f : faces) {
+            stl += "facet normal 0 0 0\nouter loop\n";
+            for (const int k : f) stl += "vertex " + corner(k) + "\n";
+            stl += "endloop\nendfacet\n";
+            obj += "f";
+            for (const int k : f) obj += " " + std::to_string(4 * body + k + 1);
+            obj += "\n";
+        }
+        stl += "endsolid " + name + "\n";
+    }
+    const auto volume_of = [&](const std::string& file) {
+        const Surface s = read_surface(folder / file);
+        EXPECT_EQ(s.points.size(), file.find('#') == std::string::npos ? 7u : 4u) << file;
+        return mass_properties(s).volume;
+    };
+    const auto complaint = [&](const std::string& file) -> std::string {
+        try {
+            read_surface(folder / file);
+            return {};
+        } catch (const InputError& e) { return e.what(); }
+    };
+    std::ofstream(folder / "boat.stl") << stl;
+    std::ofstream(folder / "boat.obj") << obj;
+    for (const std::string file : {"boat.stl", "boat.obj"}) {
+        EXPECT_NEAR(volume_of(file + "#keel"), 1.0 / 6, 1e-7);
+        EXPECT_NEAR(volume_of(file + "#Left fin"), 8.0 / 6, 1e-7);
+        EXPECT_NE(complaint(file + "#rudder").find("called \"rudder\"; it has: keel, Left fin"), std::string::npos)
+            << complaint(file + "#rudder");
+        EXPECT_NE(complaint(file + "#").find("expected the name of a solid"), std::string::npos);
+    }
+    std::ofstream(folder / "a#b.stl") << stl;  // a file's own name may have the sign
+    EXPECT_EQ(complaint("a#b.stl"), "");
+    EXPECT_NEAR(volume_of("a#b.stl#keel"), 1.0 / 6, 1e-7);
+    write_stl(folder / "binary.stl", hull);
+    EXPECT_NE(complaint("binary.stl#keel").find("names no solids"), std::string::npos);
+    EXPECT_NE(complaint("none.stl#keel").find("none.stl: no such file"), std::string::npos);
+}
+
 TEST_F(ReadWrite, AnUnwritableFolderIsSaidAndLeavesNothing) {
     EXPECT_THROW(write_stl(folder / "no such folder" / "hull.stl", hull), RunError);
     EXPECT_TRUE(fs::is_empty(folder));
