@@ -11,6 +11,7 @@
 #include "compare/report/resolution_picture.h"
 #include "methods/methods.h"
 #include "scene/new_record.h"
+#include "scene/water/water_blocks.h"
 
 namespace tw::app {
 namespace {
@@ -43,6 +44,22 @@ ReportTable effects_of(const Scene& scene) {
     return table;
 }
 
+/// All obstacles and bodies, where they stand at the start.
+Surface solids_of(const Scene& scene) {
+    Surface all;
+    const auto add = [&](const Surface& solid) {
+        const int first = static_cast<int>(all.points.size());
+        all.points.insert(all.points.end(), solid.points.begin(), solid.points.end());
+        for (auto triangle : solid.triangles) {
+            for (int& corner : triangle) corner += first;
+            all.triangles.push_back(triangle);
+        }
+    };
+    for (const Obstacle& o : scene.obstacles) add(o.surface);
+    for (const MovingBody& b : scene.bodies) add(b.surface);
+    return all;
+}
+
 }  // namespace
 
 std::string scene_picture(const Scene& scene) {
@@ -52,7 +69,10 @@ std::string scene_picture(const Scene& scene) {
         runs.push_back(new_record(scene, method));
         names.push_back(elements_of(method) + " (" + method + ")");
     }
-    return domain_picture(runs, names);
+    if (!scene.hull)
+        for (RunRecord& run : runs) run.hull = solids_of(scene);
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    return domain_picture(runs, names, stream ? std::vector<Box>{} : blocks_of_water(scene));
 }
 
 std::string check_page(const Scene& scene, const std::string& text) {

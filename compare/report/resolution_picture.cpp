@@ -71,8 +71,21 @@ PlotLine between_zones(const RunRecord& run, int up, double low, double high) {
     return {.name = {}, .source = 0, .x = {from, to, to, from, from}, .y = {low, low, high, high, low}};
 }
 
+/// A box of water: its outline and lines across, as drawings show water.
+PlotLine hatched(const Box& water, int up) {
+    constexpr int lines = 6;
+    const double left = water.min.x(), right = water.max.x(), low = water.min[up], high = water.max[up];
+    PlotLine line{.name = {}, .source = 0, .x = {left, right, right, left, left}, .y = {low, low, high, high, low}};
+    for (int k = 1; k < lines; ++k) {
+        const double y = low + (high - low) * k / lines;
+        line.x.insert(line.x.end(), {std::nan(""), left, right});
+        line.y.insert(line.y.end(), {std::nan(""), y, y});
+    }
+    return line;
+}
+
 /// `up`: 2 from the side, 1 from above.
-Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names, int up) {
+Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names, std::span<const Box> water, int up) {
     Plot plot;
     plot.equal_scales = true;
     plot.width = page_width;
@@ -80,7 +93,9 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
     plot.y_label = up == 2 ? "z [m]" : "y [m]";
     const bool stream = text_of(runs.front(), "motion", "") == "stream";
     plot.title = up == 1 ? "Plan view" : stream ? "Side view, stream from the left; dotted: still water" : "Side view";
-    if (!runs.front().hull.triangles.empty()) plot.title += "; grey: hull";
+    if (!runs.front().hull.triangles.empty())
+        plot.title += text_of(runs.front(), "hull_source", "").empty() ? "; grey: solids" : "; grey: hull";
+    if (!water.empty()) plot.title += "; hatched: water at the start";
     if (has_zones(runs.front())) plot.title += "; outside the rectangle: forcing zones";
     if (up == 1 && number_of_text(runs.front(), "symmetry_factor", 1) > 1)
         plot.title += "; y = 0 is a plane of symmetry";
@@ -100,6 +115,7 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
         }
     }
     const PlotBox& whole = plot.boxes.front();
+    for (const Box& w : water) plot.outlines.push_back(hatched(w, up));
     if (has_zones(runs.front())) plot.outlines.push_back(between_zones(runs.front(), up, whole.y_min, whole.y_max));
     plot.shadow =
         silhouette(runs.front().hull, up, (whole.x_max - whole.x_min) / (2 * page_width), {whole.x_min, whole.x_max});
@@ -111,12 +127,13 @@ Plot view(std::span<const RunRecord> runs, const std::vector<std::string>& names
 std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names) {
     if (std::ranges::none_of(runs, [](const RunRecord& r) { return r.resolution.size() > 1 || has_zones(r); }))
         return {};
-    return domain_picture(runs, names);
+    return domain_picture(runs, names, {});
 }
 
-std::string domain_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names) {
-    std::vector<Plot> plots{view(runs, names, 2)};
-    if (number_of(runs.front(), "dimensions", 3) > 2) plots.push_back(view(runs, names, 1));
+std::string domain_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names,
+                           std::span<const Box> water) {
+    std::vector<Plot> plots{view(runs, names, water, 2)};
+    if (number_of(runs.front(), "dimensions", 3) > 2) plots.push_back(view(runs, names, water, 1));
     return svg_column(plots);
 }
 

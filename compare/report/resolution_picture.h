@@ -13,7 +13,8 @@ namespace tw {
 /// zones. `names`: of the runs, for the legend.
 std::string resolution_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names);
 
-/// The same also where there is one size everywhere.
-std::string domain_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names);
+/// The same also where there is one size everywhere; hatched, the water at the start in a tank, `water`.
+std::string domain_picture(std::span<const RunRecord> runs, const std::vector<std::string>& names,
+                           std::span<const Box> water = {});
 
 }  // namespace tw
