@@ -246,7 +246,11 @@ private:
         save(folders);
         if (!outcome.failure.empty()) throw RunError(outcome.failure);
         if (outcome.stopped && !settled_)
-            return end("stopped", "stopped as asked; --resume continues from the last write time");
+            return end("stopped", folders.moments().empty()
+                                      ? fmt::format("stopped as asked before its first write time ({:.4g} s), so that "
+                                                    "nothing could be saved: --resume begins at t = 0",
+                                                    plan_.write_interval)
+                                      : "stopped as asked; --resume continues from the last write time");
         if (const auto gap = first_gap(plan_, log_, record_, settled_.value_or(duration)))
             throw RunError(
                 fmt::format("{}: the solver's tables are not whole: {}; often the disk was full for a while; --resume "
