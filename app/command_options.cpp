@@ -97,6 +97,14 @@ void add_jobs(CLI::App& c, Making& making) {
         ->excludes(collect);
 }
 
+/// Of the commands whose page has a part for runs that are not there yet.
+void add_report_every(CLI::App& c, Making& making) {
+    c.add_option("--report-every", making.report_every,
+                 "make the report so often while the runs are made, from what is finished by then, e.g. 10min; it says "
+                 "that it is provisional")
+        ->type_name("TIME");
+}
+
 void add_site(CLI::App& c, SubmitOptions& submit) {
     Site& site = submit.site;
     const std::vector<CLI::Option*> own{
@@ -124,7 +132,7 @@ void add_site(CLI::App& c, SubmitOptions& submit) {
 // ---- one function a subcommand, in the order of the table
 
 void new_options(CLI::App& c, NewCommand& create) {
-    c.add_option("template", create.kind, "planing, seaplane, tank, own")
+    c.add_option("template", create.kind, "hull (your own), planing, seaplane, tank, waves, body")
         ->required()
         ->check(CLI::IsMember(template_names()));
     c.add_option("file", create.file, "scene file to write")->required();
@@ -174,6 +182,7 @@ void run_options(CLI::App& c, RunCommand& run) {
                               ->type_name("TIME")
                               ->excludes(ranks);
     for (const char* size : {"--scale", "--near-hull", "--spacing"}) budget->excludes(c.get_option(size));
+    add_report_every(c, run.making);
 }
 
 void compare_options(CLI::App& c, CompareCommand& compare) {
@@ -215,6 +224,7 @@ void ladder_options(CLI::App& c, LadderCommand& ladder) {
                  "predicted time of all runs, e.g. 2h: runs that do not fit are left out and listed")
         ->type_name("TIME");
     c.add_flag("--plan", ladder.plan, "list the runs and their predicted time, and run nothing");
+    add_report_every(c, ladder.making);
     add_rerun(c, ladder.overwrite);
     c.add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
     add_threads(c, ladder.threads);

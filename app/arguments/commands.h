@@ -25,8 +25,9 @@ struct Common {
 struct Study;
 /// How the runs of a study are made.
 struct Making {
-    int jobs = 0;          ///< side by side; 0: not said (jobs_by_default.h)
-    bool collect = false;  ///< none is: the report is made from those that are finished
+    int jobs = 0;                   ///< side by side; 0: not said (jobs_by_default.h)
+    bool collect = false;           ///< none is: the report is made from those that are finished
+    std::string report_every = {};  ///< a text with unit: the report is made so often while they run; empty: at the end
     /// Takes the study in place of running it; null: it is run. Returns the exit status.
     std::function<int(Study study, const Common& common)> hand_over = {};
 
@@ -35,7 +36,7 @@ struct Making {
 };
 
 struct NewCommand {
-    std::string kind;  ///< planing, seaplane, tank, own
+    std::string kind;  ///< of template_names()
     std::filesystem::path file;
     bool overwrite = false;
 };

@@ -171,6 +171,7 @@ CampaignResult Campaign::collect(const CampaignRun& run) {
     const std::string why =
         begun && begun->state == "failed" ? begun->reason : why_unfinished(rules_.collect, run.folder);
     any_failed_ = true;
+    if (!begun || begun->state != "failed") unfinished_.push_back(run.name);
     complain(run.name + ": not finished: " + why);
     return {State::failed, {}, why};
 }

@@ -71,6 +71,8 @@ public:
 
     double spent() const { return spent_; }  ///< wall time of the runs made here, failed ones included [s]
     bool any_failed() const { return any_failed_; }
+    /// Where nothing is run here (`collect`): the names of the runs that are not finished and have not failed.
+    const std::vector<std::string>& unfinished() const { return unfinished_; }
 
 private:
     Sharing sharing_of(const std::vector<CampaignRun>& made) const;
@@ -83,6 +85,7 @@ private:
     std::map<std::filesystem::path, std::string> refused_;   ///< what is wrong with the input of others
     double spent_ = 0;
     bool any_failed_ = false;
+    std::vector<std::string> unfinished_;
 };
 
 /// Gives the study with those of its runs that are still to be made to `making.hand_over`. Returns the exit status.

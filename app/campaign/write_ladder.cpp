@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/arguments/output.h"
+#include "app/campaign/report_every.h"
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
@@ -56,6 +57,8 @@ Ladder report_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>&
     options.force = true;  // the methods may have different finest sizes
     Comparison pair = compare_records(std::move(finest), options);
     judge_by_sizes(pair, ladder);
+    if (const std::string banner = provisional_banner(harvest.unfinished); !banner.empty())
+        pair.banners.insert(pair.banners.begin(), banner);
     const ReportFiles files = leaving_files([&] { return write_report(pair, out, ladder_html(ladder)); });
     say(common, ladder_summary(ladder) + "\nwritten: " + (out / "ladder.md").string() +
                     "\nreport: " + files.html.string() + "\n");

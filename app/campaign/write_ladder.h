@@ -12,8 +12,9 @@ namespace tw::app {
 struct LadderHarvest {
     std::vector<LadderRun> runs;
     std::vector<LadderVariation> variations;
-    std::vector<std::string> left_out;  ///< runs that are missing, and why
-    bool any_failed = false;            ///< among those
+    std::vector<std::string> left_out;         ///< runs that are missing, and why
+    bool any_failed = false;                   ///< among those
+    std::vector<std::string> unfinished = {};  ///< names of the runs that somebody else still makes
 
     /// A level; `file`: where its record lies.
     void take(RunRecord record, const std::filesystem::path& file);

@@ -9,6 +9,7 @@
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
 #include "app/campaign/ladder_jobs.h"
+#include "app/campaign/report_every.h"
 #include "app/campaign/write_ladder.h"
 #include "app/runs/ranks.h"
 #include "app/runs/solvers.h"
@@ -66,6 +67,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     const double budget = budget_seconds(command.budget);
     say(common, plan_text(plan, budget) + unused_ranks(jobs.front().run.plan.scene));
     if (command.plan) return done;
+    refuse_report_every(command.making);
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     const Scene& scene = jobs.front().run.plan.scene;
     const auto seconds = [](const LadderJob& job) { return job.run.plan.seconds(job.run.method); };
@@ -82,7 +84,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
             if (job.run.plan.scene.fvm.interface != scene.fvm.interface)
                 say(common, ready_text({job.run.method}, job.run.plan.scene, &job.run.plan.prediction));
     }
-    const FolderLock lock(out);
+    FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite, rules.budget = budget;
     Campaign campaign(common, rules);
@@ -91,12 +93,15 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     catch_stop_signals();
     LadderHarvest harvest;
     harvest.left_out = plan.left_out;
+    ReportEvery pages(command.making, common.words, out, lock);
     campaign.ahead(study, runs_of(jobs));
     for (const LadderJob& job : jobs)
         if (!take(harvest, job, campaign.run_or_take(job.run))) {
             complain("grid-convergence study: stopped on request; the same command continues from here");
             return run_failed;
         }
+    pages.end();
+    harvest.unfinished = campaign.unfinished();
     harvest.drop_lone_variations();
     if (harvest.runs.empty() && harvest.any_failed)
         throw RunError("no run of the grid-convergence study is left: " + harvest.left_out.front());

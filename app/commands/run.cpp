@@ -6,6 +6,7 @@
 #include "app/arguments/output.h"
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
+#include "app/campaign/report_every.h"
 #include "app/campaign/twins.h"
 #include "app/runs/body_outcome.h"
 #include "app/runs/facts_json.h"
@@ -114,6 +115,7 @@ int required_agreement(const std::optional<Ladder>& ladder) {
 struct Made {
     std::vector<RunFacts> runs;
     bool failed = false;
+    std::vector<std::string> unfinished = {};  ///< names of the runs that somebody else still makes
 };
 
 /// Compares what lies in the run's folder and writes the report; gives the exit status. `twins`: null: there are none.
@@ -131,6 +133,8 @@ int report(const PlannedRun& plan, const RunCommand& command, const Common& comm
         judge_by_sizes(comparison, *ladder);
         write_tables(*ladder, out);
     }
+    if (const std::string banner = provisional_banner(made.unfinished); !banner.empty())
+        comparison.banners.insert(comparison.banners.begin(), banner);
     const ReportFiles files =
         leaving_files([&] { return write_report(comparison, out, ladder ? ladder_html(*ladder) : ""); });
     say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
@@ -173,7 +177,11 @@ int run_run(const RunCommand& command, const Common& common) {
                        .elsewhere = command.making.elsewhere()};
     const std::optional<PaidSizes> paid = paid_sizes(command, request, out);
     if (paid) request.overrides.scale_resolution = paid->scale;
+    refuse_report_every(command.making);
     const Comm& started = Comm::world();
+    if (!command.making.report_every.empty() && (started.many() || command.ranks > 1))
+        throw InputError(
+            "--report-every: runs that ranks share are reported at their end; watch them with twinwake watch");
     request.ranks = started.many() ? started.size() : command.ranks;
     const PlannedRun plan = plan_run(request);
     const Scene& scene = plan.scene;
@@ -202,7 +210,7 @@ int run_run(const RunCommand& command, const Common& common) {
                             paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
                             twins ? twins->prediction_text(scene, own) : "", out.string()));
 
-    const FolderLock lock(out);
+    FolderLock lock(out);
     if (paid) remember(*paid, budget_seconds(command.budget), out);
     CampaignRules rules = rules_of(command.making, out);
     rules.overwrite = command.overwrite, rules.take_finished = !command.overwrite;
@@ -213,6 +221,7 @@ int run_run(const RunCommand& command, const Common& common) {
     if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
 
     catch_stop_signals();
+    ReportEvery pages(command.making, common.words, out, lock);
     campaign.ahead(study, all);
     std::vector<RunFacts> runs;
     const auto stopped = [&](const std::string& what) {
@@ -232,8 +241,10 @@ int run_run(const RunCommand& command, const Common& common) {
         if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
     }
     failed |= campaign.any_failed();  // a twin
+    pages.end();
 
-    return report(plan, command, common, out, {std::move(runs), failed}, twins ? &*twins : nullptr);
+    return report(plan, command, common, out, {std::move(runs), failed, campaign.unfinished()},
+                  twins ? &*twins : nullptr);
 }
 
 }  // namespace tw::app

@@ -5,7 +5,9 @@
 
 #include <cstdlib>
 
+#include "app/arguments/output.h"
 #include "app/pace/machine_pace.h"
+#include "app/progress/overdue.h"
 #include "app/progress/run_teller.h"
 #include "app/runs/solvers.h"
 #include "app/terminal/progress_bar.h"
@@ -101,8 +103,13 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.command = common.command;
     ProgressBar bar(method_label(method), common.quiet);
     RunTeller teller(run.folder, method, scene.sampling.mean_from, Comm::world().first());
+    Overdue overdue(cost.seconds);
     options.progress = [&](const Progress& p) {
         bar.show(p);
+        if (const std::string late = overdue.look(p); !late.empty()) {
+            teller.warn(late);
+            if (Comm::world().first()) complain("\n" + method_label(method) + ": " + late);
+        }
         teller.progress(p);
         if (run.progress) run.progress(p);
     };

@@ -26,6 +26,7 @@ std::string command_text(const std::vector<std::string>& words) {
                                                            {"--ranks", 1},
                                                            {"--jobs", 1},
                                                            {"--collect", 0},
+                                                           {"--report-every", 1},
                                                            {"--resume", 0},
                                                            {"--overwrite", 0},
                                                            {"-q", 0},

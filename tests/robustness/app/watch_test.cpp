@@ -157,5 +157,44 @@ TEST_F(Command, ALineOfProgressIsNoWiderThanItsTerminal) {
     }
 }
 
+/// Until the file says it, or two minutes have passed.
+bool says_in_time(const fs::path& file, const std::string& what) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    while (std::chrono::steady_clock::now() < end) {
+        if (fs::exists(file) && content(file).find(what) != std::string::npos) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+}
+
+TEST_F(Command, ARunningRunIsReportedAgainAndAgainAsProvisional) {
+    write("post.toml", with(post, "duration = 0.3", "duration = 300\ncheckpoint = 0.05"));
+    {
+        const Started run = start({"run", "post.toml", "--no-twins", "--report-every", "1s"});
+        ASSERT_TRUE(says_in_time(folder_ / "runs/post/report.html", "Provisional, as of 20"))
+            << content(folder_ / "runs/post/report_so_far.log");
+        const std::string page = content(folder_ / "runs/post/report.html");
+        EXPECT_NE(page.find("1 run is not finished (SPH)"), std::string::npos);
+        EXPECT_NE(page.find("</html>"), std::string::npos);
+        kill(run.child, SIGINT);
+        finish(run);
+    }
+    const json report = facts(folder_ / "runs/post/report.json");
+    EXPECT_NE(report["sources"][0]["state"], "finished");
+    // the page of a finished run is not
+    write("post.toml", post);
+    const Outcome whole = twinwake({"run", "post.toml", "--no-twins", "--overwrite", "--report-every", "1s"});
+    EXPECT_EQ(whole.status, 0) << whole.err;
+    EXPECT_EQ(content(folder_ / "runs/post/report.html").find("Provisional"), std::string::npos);
+    for (const std::vector<std::string>& wrong :
+         {std::vector<std::string>{"0 s"}, {"soon"}, {"10min", "--ranks", "2"}, {"10min", "--collect"}}) {
+        std::vector<std::string> words{"run", "post.toml", "--overwrite", "--no-twins", "--report-every"};
+        words.insert(words.end(), wrong.begin(), wrong.end());
+        const Outcome refused = twinwake(words);
+        EXPECT_EQ(refused.status, 2) << wrong.front();
+        EXPECT_NE(refused.err.find("--report-every"), std::string::npos) << refused.err;
+    }
+}
+
 }  // namespace watch_test
 }  // namespace tw::test
