@@ -5,10 +5,14 @@
 #include "base/errors.h"
 
 namespace tw::app {
+namespace {
+constexpr const char* former_hull = "own";  ///< what the template `hull` was called
+}
 
 std::vector<std::string> template_names() {
     std::vector<std::string> names;
     for (const Template& t : templates()) names.emplace_back(t.name);
+    names.emplace_back(former_hull);
     return names;
 }
 
@@ -16,7 +20,7 @@ int run_new(const NewCommand& command, const Common& common) {
     if (std::filesystem::exists(command.file) && !command.overwrite)
         throw InputError(command.file.string() + ": exists already; choose another name, or --overwrite");
     for (const Template& t : templates()) {
-        if (t.name != command.kind) continue;
+        if (t.name != (command.kind == former_hull ? "hull" : command.kind)) continue;
         write_file(command.file, std::string(t.text));
         say(common,
             fmt::format("{}: written. Next: twinwake check {}\n", command.file.string(), command.file.string()));

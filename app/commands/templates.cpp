@@ -137,7 +137,7 @@ near_hull = "20 mm"
 [run]
 duration = "0.4 s"
 )"},
-        {"own", R"(title = "My hull at 30 m/s"
+        {"hull", R"(title = "My hull at 30 m/s"
 
 [hull]
 file  = "my_hull.stl"      # STL, OBJ, PLY, VTP, STEP or IGES, relative to this file; twinwake hull info shows what is wrong with it
