@@ -85,6 +85,19 @@ RunRecord run_and_tell(const std::string& method, const Scene& scene, const RunO
     }
 }
 
+/// What the throughput table expects of the steps that a run made with the elements that it had [s]. Wrongly predicted
+/// steps are the scene's, not the machine's, and must not enter its pace. 0: starting and meshing, whose cost hardly
+/// depends on the processor, take most of it, so that the run says little of throughput.
+double expected_of_work(const Scene& scene, const std::string& method, const RunRecord& record) {
+    Scene longer = scene;
+    longer.run.duration *= 2;
+    const MethodCost cost = predict_by_table(scene).of(method);
+    const double stepping = predict_by_table(longer).of(method).seconds - cost.seconds;
+    const double made = stepping * (record.steps / cost.steps) * (record.elements / cost.with_walls);
+    const double beside = cost.seconds - stepping;
+    return made > beside ? beside + made : 0;
+}
+
 }  // namespace
 
 RunRecord run_method(const std::string& method, const PlannedRun& plan, const MethodRun& run, const Common& common) {
@@ -121,8 +134,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
         double taken = 0;
         for (const Phase& phase : record.phases) taken += phase.wall;
         const PaceName pace = pace_of(scene, method, &plan.prediction);
-        const double part = record.numbers["duration"] / scene.run.duration;  // less than 1 where its loads had settled
-        learn_pace(pace.name, predict_by_table(scene).of(method).seconds * part * pace.cores, taken,
+        learn_pace(pace.name, expected_of_work(scene, method, record) * pace.cores, taken,
                    share.left(std::atoi(record.attributes["threads"].c_str())));
     }
     return record;
