@@ -13,9 +13,11 @@
 #include "compare/metrics/bodies.h"
 #include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"
+#include "compare/metrics/free_decay.h"
 #include "compare/metrics/gauges.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/regular_wave.h"
+#include "compare/metrics/sea.h"
 #include "compare/metrics/splash_quantities.h"
 #include "compare/metrics/tank_loads.h"
 #include "compare/metrics/walls.h"
@@ -277,6 +279,8 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_elevation(comparison, options);
     add_probes(comparison, options);
     add_regular_wave(comparison);
+    add_sea(comparison);
+    add_free_decay(comparison);
     add_bodies(comparison);
     add_tank_loads(comparison);
     add_entries(comparison);

@@ -54,7 +54,8 @@ struct BodyInMesh {
 struct ZoneSource {
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
     std::vector<ForcingZone> zones;
-    std::optional<WaveSum> wave = {};  ///< that some of them make
+    std::optional<WaveSum> wave = {};        ///< that some of them make
+    std::optional<WaveComponents> sea = {};  ///< likewise, a sum of linear waves
 };
 
 /// Everything that follows from the scene and that more than one OpenFOAM file needs. It points into the scene, which

@@ -277,6 +277,7 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     const ForcingZones zones = forcing_zones(scene);
     plan.zones = {Vec3(zones.speed, 0, 0), zones.zones};
     if (scene.wave) plan.zones.wave = scene.wave->sum;
+    if (scene.sea) plan.zones.sea = scene.sea->waves;
     plan.viscous = scene.effect_on("viscosity");
     plan.no_slip = scene.effect_on("no_slip");
     plan.turbulent = scene.effect_on("turbulence");

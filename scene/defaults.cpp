@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/box/tank_wave.h"
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
 #include "scene/water/struck_plate.h"
 #include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
-#include "waves/dispersion.h"
 
 namespace tw {
 namespace {
@@ -129,7 +129,7 @@ double time_scale(const Scene& scene) {
         const double length = scene.hull ? scene.hull->length : scene.domain.as_asked.size().x();
         return length / scene.motion.speed;
     }
-    if (scene.wave) return scene.wave->encounter_period();
+    if (scene.has_wave()) return wave_scales(scene).period;
     return std::sqrt(water_height(scene) / scene.water.gravity);
 }
 
@@ -149,15 +149,16 @@ double start_up_period(const Scene& scene) {
 /// From when on a tank's wave has passed every gauge and body [s]. With solids in the tank it begins in the zone that
 /// makes it (scene/box/tank_wave.h), and its front runs to the other zone at the group speed.
 double wave_has_passed(const Scene& scene) {
-    const RegularWave& wave = *scene.wave;
-    const bool begins_in_zone = scene.hull || !scene.bodies.empty() || !scene.obstacles.empty();
-    const double way = begins_in_zone ? scene.domain.box.size().x() - wave.length : 0;
-    return 3 * wave.encounter_period() + way / (group_speed_ratio(wave.k() * wave.depth) * wave.sum.speed);
+    const WaveScales wave = wave_scales(scene);
+    if (scene.sea && scene.sea->kind == Sea::Kind::focused)  // what is measured is its crest
+        return std::max(0.0, scene.sea->focus_time - 2 * wave.period);
+    const double way = begins_in_zone(scene) ? scene.domain.box.size().x() - wave.longest : 0;
+    return 3 * wave.period + way / wave.slowest;
 }
 
 double default_duration(const Scene& scene) {
     const double T = time_scale(scene);
-    if (scene.wave) return wave_has_passed(scene) + 7 * T;
+    if (scene.has_wave()) return wave_has_passed(scene) + wave_scales(scene).measured;
     if (scene.motion.kind != Motion::Kind::stream) return 10 * T;
     // A section's jet falls back on the water before it and shakes the loads: twice the time for as good a mean.
     const double mean = scene.domain.dimensions == 2 ? 4 * T : 2 * T;
@@ -177,7 +178,7 @@ void fill_times(Scene& scene) {
     if (scene.run.duration == 0)
         scene.run.duration = (scene.run.stops_when_settled() ? 2 : 1) * default_duration(scene);
     if (scene.sampling.interval == 0) scene.sampling.interval = default_interval(scene);
-    if (scene.sampling.mean_from == 0 && scene.wave) scene.sampling.mean_from = wave_has_passed(scene);
+    if (scene.sampling.mean_from == 0 && scene.has_wave()) scene.sampling.mean_from = wave_has_passed(scene);
     if (scene.sampling.mean_from == 0 && (stream || scene.hull))
         scene.sampling.mean_from = stream ? start_of(scene) + settling(scene) : 5 * T;
     if (scene.run.checkpoint == 0) scene.run.checkpoint = scene.run.duration / 20;
@@ -186,7 +187,7 @@ void fill_times(Scene& scene) {
 double default_courant(const Scene& scene) {
     // Implicit Euler flattens a wave by its steps: from 0.05 to 0.15 keep it (Larsen, Fuhrman & Roenby, Coastal Eng. J.
     // 61 (2019) 18).
-    if (scene.wave) return 0.15;
+    if (scene.has_wave()) return 0.15;
     // Measured: forces of a hull in a steady stream are the same at 4 as at 1; a splash is not.
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
 }

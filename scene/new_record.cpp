@@ -68,6 +68,33 @@ std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& me
     return resolution_within({largest, scene.domain.box}, finer);
 }
 
+/// A sum of waves: what it is by linear theory, and of a focused one at each gauge its crest to first and second order.
+void note_sea(RunRecord& record, const Scene& scene) {
+    const Sea& sea = *scene.sea;
+    record.attributes["sea"] = scene.wave_asked.spectrum;
+    record.numbers["sea_significant_height"] = sea.significant_height;
+    record.numbers["sea_peak_period"] = sea.peak_period;
+    record.numbers["sea_repeat_period"] = sea.repeat_period;
+    record.numbers["sea_left_out"] = left_out_by_first_order(sea).both();
+    record.numbers["wave_direction"] = sea.waves.direction;
+    std::string components;  // frequency [1/s], wave number [1/m], amplitude [m], phase [rad]
+    for (int n = 0; n < sea.waves.count; ++n)
+        components += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", sea.frequency(n), sea.waves.k[n],
+                                  sea.waves.height[n], sea.waves.phase[n]);
+    record.attributes["sea_components"] = components;
+    if (sea.kind != Sea::Kind::focused) return;
+    record.numbers["sea_focus_place"] = sea.focus_place;
+    record.numbers["sea_focus_time"] = sea.focus_time;
+    for (const HeightProbe& p : scene.sampling.height)
+        for (const bool second : {false, true}) {
+            const Crest crest = highest_crest(sea, p.x, sea.focus_time - 2 * sea.peak_period,
+                                              sea.focus_time + 2 * sea.peak_period, second);
+            const std::string order = second ? "second" : "first";
+            record.numbers["sea_crest_" + order + "_" + p.name] = crest.height;
+            record.numbers["sea_crest_time_" + order + "_" + p.name] = crest.time;
+        }
+}
+
 void note_free_hull(RunRecord& record, const Hull& hull) {
     const RigidBodySetup& motion = hull.free->motion;
     record.attributes["hull_free"] = motion.free.along[2] ? motion.free.about[1] ? "heave pitch" : "heave" : "pitch";
@@ -159,9 +186,11 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["wave_period"] = wave.encounter_period();
         record.numbers["wave_crest"] = wave.crest;
         record.numbers["wave_trough"] = wave.trough;
-        for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
         record.numbers["wave_direction"] = wave.sum.direction;
     }
+    if (scene.sea) note_sea(record, scene);
+    if (scene.has_wave())
+        for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
     if (method == "sph") {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;

@@ -20,6 +20,7 @@
 #include "scene/elastic/elastic_tyre.h"
 #include "scene/sph_options.h"
 #include "waves/regular_wave.h"
+#include "waves/sea.h"
 
 namespace tw {
 
@@ -95,12 +96,21 @@ struct ZoneOptions {
     double downstream = 0;          ///< depth of the water where a stream leaves [m]; 0: as it comes (tailwater.h)
 };
 
-/// [wave] as written: a regular wave in a tank (scene/box/tank_wave.h).
+/// [wave] as written: a wave in a tank, regular or a sum of linear ones (scene/box/tank_wave.h).
 struct WaveOptions {
-    double height = 0;              ///< [m]; 0: there is no wave
+    double height = 0;              ///< [m]; 0: there is no regular wave
     double length = 0, period = 0;  ///< [m], [s]; one of the two, the other 0
     double direction = 0;           ///< 0: towards +x, pi: towards -x [rad]
     std::string theory = "auto";    ///< auto, linear, stream_function
+    /// regular, jonswap, pierson-moskowitz, bichromatic, focused
+    std::string spectrum = "regular";
+    double significant_height = 0, peak_period = 0;  ///< of a spectrum [m], [s]
+    double peakedness = 3.3;                         ///< JONSWAP's gamma [-]
+    int components = 60;                             ///< of a spectrum
+    int seed = 1;                                    ///< of its phases
+    double second_height = 0, second_period = 0;     ///< of the second of two waves [m], [s]
+    double crest = 0;                                ///< of a focused wave to first order [m]
+    double focus_place = 0, focus_time = 0;          ///< of it [m], [s]; as the scene is checked, filled in
 };
 
 struct Resolution {
@@ -222,7 +232,9 @@ struct Scene {
     Domain domain;
     ZoneOptions zones;
     WaveOptions wave_asked;
-    std::optional<RegularWave> wave;  ///< as it is made; none: still water
+    std::optional<RegularWave> wave;  ///< as it is made; none: there is no regular one
+    std::optional<Sea> sea;           ///< a sum of linear waves as it is made; none: there is none
+    bool has_wave() const { return wave || sea; }
     Resolution resolution;
     std::vector<RefinedPlace> refined;
     std::vector<RefinementBox> refinement;  ///< those and what the hull asks for

@@ -26,12 +26,12 @@
 #include "scene/water/struck_plate.h"
 #include "scene/water/tailwater.h"
 #include "scene/water/water_at_start.h"
+#include "scene/wave_text.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
 #include "text/plain_degrees.h"
 #include "text/plain_number.h"
 #include "text/units.h"
-#include "waves/steepness.h"
 
 namespace tw {
 namespace {
@@ -248,39 +248,6 @@ std::string zone_line(double size, const std::string& where, const Box& box, con
                        place(box.min.cwiseMax(d.box.min)), place(box.max.cwiseMin(d.box.max)));
 }
 
-/// The regular wave: what it is by theory, how it is resolved, and what becomes of it on its way.
-std::string wave_text(const Scene& scene) {
-    if (!scene.wave) return {};
-    const RegularWave& w = *scene.wave;
-    const Resolution& r = scene.resolution;
-    const bool linear = w.theory == RegularWave::Theory::linear;
-    const ForcingZones plan = forcing_zones(scene);
-    double between = scene.domain.box.size().x();
-    for (const ForcingZone& zone : plan.zones) between -= std::abs(zone.end - zone.begin);
-    std::string out = fmt::format(
-        "wave        {:.4g} m high, {:.4g} m long, period {:.4g} s, towards {}x; crest {:.4g} m, trough {:.4g} m\n"
-        "  theory    {}: {}\n"
-        "  regime    {}; H/L {:.3g}, k d {:.3g} ({} water), Ursell {:.3g}, {:.2g} % of the highest wave\n"
-        "  speed     {:.4g} m/s over still water; mean current below the troughs {:.3g} m/s, so that the tank has no "
-        "net "
-        "transport\n",
-        w.height, w.length, w.encounter_period(), w.sum.direction > 0 ? "+" : "-", w.crest, w.trough,
-        linear ? "linear" : fmt::format("stream function, {} terms", w.sum.terms), w.why,
-        wave_regime(w.height, w.length, w.depth), w.height / w.length, w.k() * w.depth, depth_regime(w.length, w.depth),
-        ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth), w.speed_in_water,
-        w.sum.current);
-    out += fmt::format(
-        "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths between the zones\n"
-        "  run       {:.3g} periods",
-        w.height / r.near_hull, w.length / r.near_hull, between / w.length, scene.run.duration / w.encounter_period());
-    if (is_run("sph", scene))
-        out += fmt::format(
-            "; artificial viscosity takes {:.2g} % of the particles' height in a wave length, {:.2g} % "
-            "between the zones (measured, of all causes: 2 to 4 % at eight particles in the height)",
-            100 * loss_by_artificial_viscosity(scene, w.length), 100 * loss_by_artificial_viscosity(scene, between));
-    return out + "\n";
-}
-
 /// What the zones of a stream take of a run, beside the same scene without them.
 std::string cost_of_zones(const Scene& scene, const Prediction& p) {
     if (scene.motion.kind != Motion::Kind::stream) return {};
@@ -336,7 +303,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
     if (const auto tail = tailwater(scene))
         out += fmt::format("            behind x = {:.4g} m it starts {:.4g} m deep with {:.4g} m/s\n", tail->begins,
                            tail->depth, tail->speed);
-    if (scene.motion.kind != Motion::Kind::stream && !scene.wave)
+    if (scene.motion.kind != Motion::Kind::stream && !scene.has_wave())
         out += "motion      none: the water is at rest at the start\n";
     out += wave_text(scene);
     for (const Finding& f : doubtful_input(scene)) out += fmt::format("  warning   {}: {}\n", f.name, f.message);

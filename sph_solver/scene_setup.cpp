@@ -278,7 +278,7 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     setup.fluid = fill_levels(s, blocks);
     fit_to_solids(s, blocks, setup.fluid);
     setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
-    if (scene.wave) begin_with_wave(scene, setup.fluid);
+    if (scene.has_wave()) begin_with_wave(scene, setup.fluid);
     if (scene.effect_on("air")) {
         AirOptions air;
         air.density = scene.water.air_density;

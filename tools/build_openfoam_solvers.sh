@@ -40,7 +40,7 @@ stamp="openfoam $package, __restrict__ off"
 
 library_stamp() {  # of the source folder $1
     local also=()
-    [ "$1" != forcing_zones ] || also=("$sources/../waves/wave_sum.h")
+    [ "$1" != forcing_zones ] || also=("$sources"/../waves/wave_{sum,components}.h)
     echo "$stamp, source $(cat "$sources/$1"/*.[CH] "${also[@]}" | sha256sum | cut -c1-16)"
 }
 

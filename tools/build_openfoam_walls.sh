@@ -37,7 +37,7 @@ trap 'rm -rf "$work"' EXIT
 build() {  # $1 from the folder $2
     local folder=$work/$1
     mkdir -p "$folder/Make"
-    cp "$source_folder/$2"/*.[CH] "$source_folder/../waves/wave_sum.h" "$folder"
+    cp "$source_folder/$2"/*.[CH] "$source_folder"/../waves/wave_{sum,components}.h "$folder"
     # wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
     printf '%s.C\nLIB = %s/%s\n' "$2" "$folder" "$1" >"$folder/Make/files"
     # shellcheck disable=SC2016   # make's variables

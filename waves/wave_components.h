@@ -1,5 +1,5 @@
 #pragma once
-#include "waves/wave_sum.h"
+#include "wave_sum.h"
 
 // Read by the solvers of both methods, on a GPU without a mathematical library, and by OpenFOAM's compilers in C++11.
 

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "compare/compare.h"
+#include "compare/metrics/wave_parts.h"
 
 namespace tw {
 
@@ -13,20 +14,19 @@ namespace tw {
 ///                        values stand beside as references
 ///   heave_response:BODY, pitch_response:BODY   first harmonic of a body's motion over half of the wave's height and over
 ///                        the wave's slope pi H / L, mean over the periods with its 95 % interval [-]
-///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%], see split_waves
+///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%]: of two by split_waves over the
+///                        whole time, of more by split_decaying_waves of each period, with the 95 % interval of the mean of
+///                        the complex ratio over the periods
+///   wave_force_x, wave_force_z   of what stands fixed in the tank, without bodies: amplitude of the first harmonic [N]
+///   wave_force_phase_x, _z       by how much it is before the theory's crest at x = 0 [deg]
+///   wave_drift_x                 mean force along x [N]
+///   wave_loss            of three gauges or more: what the incident wave loses of its height in one of its lengths [%]
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);
 
-/// Incident and reflected part of a wave of number k [1/m] from complex amplitudes at places x along its direction, A =
-/// a_i exp(i k x) + a_r exp(-i k x), by least squares (two gauges: Goda & Suzuki 1976; three: Mansard & Funke 1980).
-struct WaveParts {
-    std::complex<double> incident = 0, reflected = 0;
-    double misfit = 0;   ///< root mean square of what is left, over |a_i| [-]; of two gauges 0
-    bool apart = false;  ///< the places tell the two parts from one another: none stand multiples of L/2 apart alone
-};
-WaveParts split_waves(std::span<const double> x, std::span<const std::complex<double>> amplitude, double k);
-
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);
+/// The mean of that fit, which is not that of the samples where they are no whole number a period.
+double mean_level(std::span<const double> t, std::span<const double> values, double omega);
 
 }  // namespace tw

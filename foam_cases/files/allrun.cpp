@@ -70,7 +70,7 @@ compression correction.
                   : "Slip on all solids: the counterpart of an SPH run without physical viscosity.\n",
         p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
         p.scene->hull && p.scene->hull->half ? " (half model)" : "",
-        p.scene->wave ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
+        p.scene->has_wave() ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
                       : "");
 }
 

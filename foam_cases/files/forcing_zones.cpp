@@ -14,6 +14,15 @@ Dictionary numbers_of(const WaveSum& wave) {
             {"eta", eta}};
 }
 
+Dictionary numbers_of(const WaveComponents& sea) {
+    List k, omega, amplitude, phase;
+    for (int n = 0; n < sea.count; ++n)
+        k.push_back(sea.k[n]), omega.push_back(sea.omega[n]), amplitude.push_back(sea.height[n]),
+            phase.push_back(sea.phase[n]);
+    return {{"depth", sea.depth}, {"direction", sea.direction}, {"current", sea.current}, {"k", k},
+            {"omega", omega},     {"amplitude", amplitude},     {"phase", phase}};
+}
+
 }  // namespace
 
 std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source) {
@@ -33,6 +42,7 @@ void add_zones(const ZoneSource& source, Dictionary& sources) {
     for (const auto& [share, zones] : of_share) {
         Dictionary all{{"type", Word("forcingZones")}, {"velocity", Vec3(share * source.velocity)}, {"zones", zones}};
         if (source.wave) all.add("wave", numbers_of(*source.wave));
+        if (source.sea) all.add("sea", numbers_of(*source.sea));
         sources.add(share == 1 ? "forcingZones" : "forcingZonesBehind", all);
     }
 }

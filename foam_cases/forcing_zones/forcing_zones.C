@@ -16,11 +16,15 @@
 // A zone with `makesWave true;` draws the flow to a steady wave, whose numbers are those of waves/wave_sum.h:
 //
 //         wave { k 6.28; depth 1; direction 1; speed 1.25; phase 0; current 0; crest 0.02; U (0.06 ...); eta (0.02 ...); }
+//
+// or to a sum of linear ones (waves/wave_components.h):
+//
+//         sea { depth 1; direction 1; current 0; k (6.28 ...); omega (7.8 ...); amplitude (0.002 ...); phase (0.3 ...); }
 
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "volFields.H"
-#include "wave_sum.h"
+#include "wave_components.h"
 #ifdef OPENFOAM
 #include "fvOption.H"
 #else
@@ -50,6 +54,8 @@ class forcingZones : public Source {
     };
     vector velocity_;
     tw::WaveSum wave_;
+    bool isSea_;
+    tw::WaveComponents sea_;
     List<Zone> zones_;
 
     void take(const dictionary& dict) {
@@ -62,8 +68,10 @@ class forcingZones : public Source {
             zones[i].lookup("begin") >> zone.begin;
             zones[i].lookup("end") >> zone.end;
             zones[i].lookup("strength") >> zone.strength;
-            zone.makesWave = zones[i].found("makesWave") && dict.found("wave");
+            zone.makesWave = zones[i].found("makesWave") && (dict.found("wave") || dict.found("sea"));
         }
+        isSea_ = dict.found("sea");
+        if (isSea_) takeSea(dict.subDict("sea"));
         if (dict.found("wave")) takeWave(dict.subDict("wave"));
     }
 
@@ -80,6 +88,18 @@ class forcingZones : public Source {
         for (label j = 0; j < wave_.terms; ++j) wave_.U[j] = U[j], wave_.eta[j] = eta[j];
     }
 
+    void takeSea(const dictionary& dict) {
+        dict.lookup("depth") >> sea_.depth;
+        dict.lookup("direction") >> sea_.direction;
+        dict.lookup("current") >> sea_.current;
+        const scalarList k(dict.lookup("k")), omega(dict.lookup("omega")), amplitude(dict.lookup("amplitude")),
+            phase(dict.lookup("phase"));
+        sea_.count = min(min(k.size(), omega.size()), min(amplitude.size(), phase.size()));
+        sea_.count = min(sea_.count, int(tw::WaveComponents::most));
+        for (int n = 0; n < sea_.count; ++n)
+            sea_.k[n] = k[n], sea_.omega[n] = omega[n], sea_.height[n] = amplitude[n], sea_.phase[n] = phase[n];
+    }
+
     /// [1/s], and whether the zone that has it makes the wave.
     scalar rate(const point& place, bool& makesWave) const {
         scalar rate = 0;
@@ -92,10 +112,13 @@ class forcingZones : public Source {
         return rate;
     }
 
-    vector target(const point& place, bool makesWave) const {
+    vector target(const point& place, bool makesWave, const tw::WaveMoment& now) const {
         if (!makesWave) return velocity_;
         double u, w;
-        tw::wave_velocity(wave_, place.x(), place.z(), mesh().time().value(), u, w);
+        if (isSea_)
+            tw::wave_velocity(now, place.x(), place.z(), u, w);
+        else
+            tw::wave_velocity(wave_, place.x(), place.z(), mesh().time().value(), u, w);
         return vector(u, 0, w);
     }
 
@@ -105,13 +128,14 @@ class forcingZones : public Source {
         const scalarField& volumes = mesh().V();
         scalarField& diagonal = eqn.diag();
         vectorField& source = eqn.source();
+        const tw::WaveMoment now = isSea_ ? tw::wave_moment(sea_, mesh().time().value()) : tw::WaveMoment();
         forAll(diagonal, cell) {
             bool makesWave;
             const scalar here = rate(centres[cell], makesWave);
             if (here == 0) continue;
             const scalar a = rho[cell]*here*volumes[cell];
             diagonal[cell] -= a;
-            source[cell] -= a*target(centres[cell], makesWave);
+            source[cell] -= a*target(centres[cell], makesWave, now);
         }
     }
 

@@ -135,7 +135,7 @@ MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const 
     step(plan.flavour.post_process_program(), {"-func", "writeCellCentres", "-time", "0"}, "writeCellCentres");
     step(plan.flavour.post_process_program(), {"-func", "writeCellVolumes", "-time", "0"}, "writeCellVolumes");
     for (const char* component : {"Cx", "Cy", "Cz"}) fs::remove(folder / "0" / component);
-    if (plan.scene->wave && !out.stopped) begin_with_wave(plan, folder / "0");
+    if (plan.scene->has_wave() && !out.stopped) begin_with_wave(plan, folder / "0");
     out.ranks = ranks_for(out.cells);
     if (out.ranks > 1) {
         write_text_atomically(folder / "system/decomposeParDict", decompose_par_dict(plan, out.ranks));

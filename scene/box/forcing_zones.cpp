@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "scene/box/box_walls.h"
+#include "scene/box/tank_wave.h"
 #include "scene/refined_places.h"
 #include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
@@ -148,18 +149,25 @@ double clear_of_bodies(const Scene& scene, int axis, bool high) {
 constexpr double lengths_that_make = 1.5, strength_that_makes = 2;  // docs/decisions/088-waves.md
 
 ForcingZones zones_of_wave(const Scene& scene) {
-    const RegularWave& wave = *scene.wave;
+    const WaveScales wave = wave_scales(scene);
+    const double k = 2 * pi / wave.longest, depth = scene.wave ? scene.wave->depth : scene.sea->depth();
     ForcingZones plan;
-    plan.wave_length = wave.length;
-    plan.frequency = wave.encounter_frequency();
+    plan.wave_length = wave.longest;
+    plan.frequency = wave.lowest_frequency;
     plan.why = fmt::format("the first makes the wave over {:g} of its lengths, the second absorbs it over one",
                            lengths_that_make);
-    const double gamma = 1.5 * plan.frequency / std::sqrt(std::tanh(wave.k() * wave.depth));
+    if (scene.sea)
+        plan.why = fmt::format(
+            "the first makes the waves over {:g} lengths, the second absorbs them over one length of {:.4g} m; {:.2g} "
+            "% "
+            "of the energy is in longer waves",
+            lengths_that_make, wave.longest, 100 * waves_that_count);
+    const double gamma = 1.5 * plan.frequency / std::sqrt(std::tanh(k * depth));
     const Box& box = scene.domain.box;
-    const bool from_high = wave.sum.direction < 0;
+    const bool from_high = wave.direction < 0;
     for (const bool makes : {true, false}) {
         const bool high = makes == from_high;
-        const double end = (high ? box.max : box.min).x(), width = (makes ? lengths_that_make : 1) * wave.length;
+        const double end = (high ? box.max : box.min).x(), width = (makes ? lengths_that_make : 1) * wave.longest;
         plan.zones.push_back({.axis = 0,
                               .high = high,
                               .begin = high ? end - width : end + width,
@@ -239,7 +247,7 @@ ZoneReach zone_reach(const Scene& scene, double gravity) {
 
 ForcingZones forcing_zones(const Scene& scene) {
     if (!scene.effect_on("forcing_zones")) return {};
-    if (scene.wave) return zones_of_wave(scene);
+    if (scene.has_wave()) return zones_of_wave(scene);
     return scene.motion.kind == Motion::Kind::stream ? zones_of_stream(scene) : zones_of_tank(scene);
 }
 

@@ -45,7 +45,7 @@ struct ForcingZones {
 /// A tank with a [wave] has two, at the ends that it comes from and runs to. The one that absorbs it is one wave length
 /// wide. The wall behind the one that makes it sends out a wave of the same height against it; over 1.5 wave lengths and
 /// with twice the strength less than 1 % of that is left, and less than half a per cent of a wave that comes back is
-/// reflected (docs/decisions/088-waves.md).
+/// reflected (docs/decisions/088-waves.md). Those of a sum of waves are made for the longest that count (tank_wave.h).
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.

@@ -3,6 +3,22 @@
 
 namespace tw {
 
+/// What a scene's wave asks of tank, zones, sizes and times. Of a sum of waves the peak is what a regular one is as a
+/// whole; waves below and above which 5 % of the energy lie are the longest and the shortest that count.
+struct WaveScales {
+    double direction = 1;
+    double height = 0;                         ///< significant height of a sum, twice the crest of a focused wave [m]
+    double crest = 0;                          ///< as high as the surface comes, in a sum about [m]
+    double length = 0, period = 0, speed = 0;  ///< [m], [s], [m/s]
+    double longest = 0, lowest_frequency = 0;  ///< [m], [rad/s]
+    double shortest = 0, slowest = 0;          ///< [m]; speed of the energy of the shortest [m/s]
+    double measured = 0;                       ///< over which means are taken [s]: seven periods, a sea's repeat period
+};
+inline constexpr double waves_that_count = 0.05;  ///< share of the energy left out at each end
+/// Of a scene that has a wave.
+WaveScales wave_scales(const Scene& scene);
+bool begins_in_zone(const Scene& scene);  ///< with solids in the tank
+
 /// The wave of [wave] in the tank as the water begins: everywhere but at the end that absorbs it, where its height
 /// falls to nothing as 1 - s^2 (s as in scene/box/forcing_zones.h). With solids in the tank it begins in the zone that
 /// makes it alone, and its front runs from there. The level is moved so that the tank holds as much water as without
@@ -21,11 +37,14 @@ public:
     Vec3 moved(const Vec3& at_rest) const;
 
 private:
-    double integral(double x) const;  ///< of the surface from the tank's low end to x, by the table
+    double integral(double x) const;       ///< of the surface from the tank's low end to x, by the table
+    double whole_surface(double x) const;  ///< of the wave itself, at the start [m]
 
-    const RegularWave& wave_;
-    double low_, high_;         ///< of the tank along x [m]
-    double begin_[2], end_[2];  ///< of the two zones, making first
+    const Scene& scene_;
+    std::optional<WaveMoment> sea_;  ///< at the start
+    double depth_;                   ///< [m]
+    double low_, high_;              ///< of the tank along x [m]
+    double begin_[2], end_[2];       ///< of the two zones, making first
     bool in_zone_only_ = false;
     double level_ = 0;              ///< [m]
     double step_ = 0;               ///< of the table [m]

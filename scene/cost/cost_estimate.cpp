@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/errors.h"
+#include "scene/box/tank_wave.h"
 #include "scene/defaults.h"
 #include "scene/effects/registry.h"
 #include "scene/elastic/tyre_steps.h"
@@ -60,6 +61,11 @@ double speed_of_water(const Scene& scene) {
     if (scene.wave)  // of the water in its crest
         return std::numbers::pi * scene.wave->height / scene.wave->period_in_water() /
                std::tanh(scene.wave->k() * scene.wave->depth);
+    if (scene.sea) {
+        const WaveScales wave = wave_scales(scene);
+        const double kd = 2 * std::numbers::pi / wave.length * scene.sea->depth();
+        return 2 * std::numbers::pi * wave.crest / wave.period / std::tanh(kd);
+    }
     return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
 }
 

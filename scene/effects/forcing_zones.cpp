@@ -14,7 +14,7 @@ namespace {
 
 std::string reason_of(const EffectQuestion& q, bool by_default) {
     const Scene& scene = q.scene;
-    if (scene.wave) return "the wave is made in a zone at one end of the tank and absorbed in one at the other";
+    if (scene.has_wave()) return "the wave is made in a zone at one end of the tank and absorbed in one at the other";
     if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
     if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
     if (by_default && tailwater(scene)) return "the water behind is held at the depth of [domain] downstream";
@@ -25,7 +25,8 @@ std::string reason_of(const EffectQuestion& q, bool by_default) {
 }
 
 EffectChoice plan_forcing_zones(const EffectQuestion& q) {
-    const bool by_default = q.scene.wave || has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
+    const bool by_default =
+        q.scene.has_wave() || has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
     EffectChoice c = q.choice(by_default);
     c.reason = reason_of(q, by_default);
     c.influence = by_default
@@ -34,14 +35,14 @@ EffectChoice plan_forcing_zones(const EffectQuestion& q) {
     const Box &all = q.scene.domain.box, &open = q.scene.domain.undamped;
     const double fewer = has_coarse_zones(q.scene) ? std::exp2(q.scene.domain.dimensions) : 1;
     c.cost = (all.volume() / open.volume() - 1) / fewer + 0.01;
-    if (q.scene.wave) c.influence = influence("100 %", "100 %", "the wave itself");
+    if (q.scene.has_wave()) c.influence = influence("100 %", "100 %", "the wave itself");
     return c;
 }
 
 /// A wave is to keep its height on its way through the tank. Lost in 0.6 of its lengths at ten particles in 0.1 of them
 /// (docs/results/regular_wave.md): 5 % with the other scenes' alpha and kernel, 1 to 2 % with these.
 void settle_forcing_zones(Scene& scene, bool on) {
-    if (!on || !scene.wave) return;
+    if (!on || !scene.has_wave()) return;
     take_default(scene, "sph.alpha", scene.sph.alpha, [] { return 0.001; });
     take_default(scene, "sph.h_over_dp", scene.sph.h_over_dp, [] { return 2.0; });
 }

@@ -24,7 +24,7 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
 std::optional<double> read_water(SceneSection& s, Scene& scene);                  ///< depth of the place [m]
 std::optional<double> read_motion(SceneSection& s, Scene& scene, bool has_hull);  ///< ramp [s]
 
-/// Works out scene.wave from what is asked for, once the tank and its water are known.
+/// Works out scene.wave or scene.sea from what is asked for, once the tank and its water are known.
 void settle_wave(Scene& scene, Sections& s);
 /// What can be judged only with sizes and effects. Throws InputError.
 void check_wave(const Scene& scene, Sections& s);

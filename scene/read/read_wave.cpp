@@ -4,7 +4,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "scene/box/forcing_zones.h"
+#include "scene/box/tank_wave.h"
 #include "scene/read/read.h"
 #include "scene/water/water_blocks.h"
 #include "waves/dispersion.h"
@@ -50,12 +52,171 @@ double direction_of(const Scene& scene, const SceneSection& wave) {
     return along > 0 ? 1 : -1;
 }
 
+/// Keys that the other kinds of waves have: a value that is not used misleads.
+void refuse_foreign_keys(const Scene& scene, const SceneSection& wave) {
+    const std::string& kind = scene.wave_asked.spectrum;
+    const bool focused = kind == "focused", random = kind == "jonswap" || kind == "pierson-moskowitz",
+               two = kind == "bichromatic", regular = kind == "regular";
+    const std::pair<const char*, bool> used[] = {{"height", regular || two},
+                                                 {"length", regular},
+                                                 {"period", regular || two},
+                                                 {"theory", regular},
+                                                 {"significant_height", random},
+                                                 {"peak_period", random || focused},
+                                                 {"peakedness", kind == "jonswap" || focused},
+                                                 {"components", random || focused},
+                                                 {"seed", random},
+                                                 {"second_height", two},
+                                                 {"second_period", two},
+                                                 {"crest", focused},
+                                                 {"focus_place", focused},
+                                                 {"focus_time", focused}};
+    for (const auto& [key, of_this] : used)
+        if (!of_this && wave.has(key))
+            wave.fail(key,
+                      fmt::format("is not used with spectrum = \"{}\"; remove it, or write another spectrum", kind));
+}
+
+/// The tank holds the zones and what lies between them, and the highest crest.
+void check_tank(const Scene& scene, Sections& s, const std::string& size) {
+    const WaveScales wave = wave_scales(scene);
+    const double tank = scene.domain.box.size().x(), least = 2.5 * wave.longest + wave.length;
+    if (tank < least * (1 - 1e-9))
+        s.wave.fail(size, scene.wave
+                              ? fmt::format("the wave is {:.4g} m long and the tank {:.4g} m; expected a tank of at "
+                                            "least {:.4g} m, {:g} wave lengths: 1.5 for the zone that makes it, one "
+                                            "for the zone that absorbs it, one between",
+                                            wave.length, tank, least, shortest_tank)
+                              : fmt::format("the tank is {:.4g} m long; expected at least {:.4g} m: 1.5 and one "
+                                            "lengths of {:.4g} m for the zones that make and absorb the waves (the "
+                                            "longest that count: {:g} % of the energy is in longer ones), and one "
+                                            "length of {:.4g} m at the peak between",
+                                            tank, least, wave.longest, 100 * waves_that_count, wave.length));
+    if (wave.crest > scene.domain.box.max.z())
+        s.tank.fail(
+            s.tank.has("max") ? "max" : "size",
+            fmt::format("the tank ends {:.4g} m above still water, and the wave's crest is at {:.4g} m; expected "
+                        "a higher tank",
+                        scene.domain.box.max.z(), wave.crest));
+}
+
+double required(const SceneSection& wave, const char* key, double value, const char* what, const char* example) {
+    if (!wave.has(key)) wave.fail(key, fmt::format("missing; {}, e.g. {} = \"{}\"", what, key, example));
+    return value;
+}
+
+/// A sum of waves whose highest ones would break is none.
+void refuse_breaking(const SceneSection& wave, const char* key, double height, double length, double depth,
+                     double share, const char* what) {
+    const double most = share * highest_wave(length, depth);
+    if (height > most)
+        wave.fail(key, fmt::format("{:.4g} m; {} of {:.4g} m in water {:.4g} m deep would break: expected at most "
+                                   "{:.4g} m, {:g} % of the highest wave there, or longer waves",
+                                   height, what, length, depth, most, 100 * share));
+}
+
+void settle_sea(Scene& scene, Sections& s) {
+    const SceneSection& wave = s.wave;
+    WaveOptions& asked = scene.wave_asked;
+    SeaOrder order{.depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
+    order.direction = direction_of(scene, wave);
+    const auto length_of = [&](double period) {
+        return 2 * std::numbers::pi / wave_number(2 * std::numbers::pi / period, order.gravity, order.depth);
+    };
+    std::string size = "peak_period";
+    if (asked.spectrum == "bichromatic") {
+        order.kind = Sea::Kind::bichromatic;
+        size = "period";
+        order.heights[0] = required(wave, "height", asked.height, "the first of two waves needs its height", "40 mm");
+        order.periods[0] = required(wave, "period", asked.period, "the first of two waves needs its period", "1.2 s");
+        order.heights[1] =
+            required(wave, "second_height", asked.second_height, "the second wave needs its height", "40 mm");
+        order.periods[1] =
+            required(wave, "second_period", asked.second_period, "the second wave needs its period", "1 s");
+        if (std::abs(std::log(order.periods[0] / order.periods[1])) < 0.02)
+            wave.fail(
+                "second_period",
+                fmt::format("{:.4g} s; the first wave has {:.4g} s: expected periods that differ by 2 % and more, "
+                            "else a beat is longer than 50 waves",
+                            order.periods[1], order.periods[0]));
+        refuse_breaking(wave, "second_height", order.heights[0] + order.heights[1],
+                        std::min(length_of(order.periods[0]), length_of(order.periods[1])), order.depth, largest_share,
+                        "where both have their crests a wave as high as both together and as long as the shorter one,");
+    } else {
+        order.peak_period =
+            required(wave, "peak_period", asked.peak_period, "a spectrum needs the period of its peak", "1.2 s");
+        order.peakedness = asked.peakedness;
+        order.components = asked.components;
+        order.seed = static_cast<std::uint64_t>(asked.seed);
+        const double length = length_of(order.peak_period);
+        if (asked.spectrum == "focused") {
+            order.kind = Sea::Kind::focused;
+            order.height =
+                required(wave, "crest", asked.crest, "a focused wave needs its crest by linear theory", "50 mm");
+            refuse_breaking(wave, "crest", order.height, length, order.depth, 0.5, "a group at a peak");
+        } else {
+            order.kind = asked.spectrum == "jonswap" ? Sea::Kind::jonswap : Sea::Kind::pierson_moskowitz;
+            order.height = required(wave, "significant_height", asked.significant_height,
+                                    "a spectrum needs its significant height", "50 mm");
+            refuse_breaking(wave, "significant_height", order.height, length, order.depth, 0.5,
+                            "the highest of such waves, about 1.8 times as high, at a peak");
+        }
+    }
+    const double longest = order.kind == Sea::Kind::bichromatic
+                               ? length_of(std::max(order.periods[0], order.periods[1]))
+                               : length_of(order.peak_period);
+    if (longest > longest_depths / 2 * order.depth)
+        wave.fail(size,
+                  fmt::format("waves {:.4g} m long in water {:.4g} m deep; expected at most {:g} depths: longer ones "
+                              "are no sum of linear waves",
+                              longest, order.depth, longest_depths / 2));
+    scene.sea = make_sea(order);
+    check_tank(scene, s, size);
+    if (order.kind != Sea::Kind::focused) return;
+    // where and when, unless it is given: both follow from the zones, which follow from the spectrum
+    const WaveScales scales = wave_scales(scene);
+    const Box& box = scene.domain.as_asked;  // the same at every resolution
+    const double making = 1.5 * scales.longest, absorbing = scales.longest;
+    const double low = box.min.x() + (order.direction > 0 ? making : absorbing),
+                 high = box.max.x() - (order.direction > 0 ? absorbing : making);
+    if (!wave.has("focus_place")) asked.focus_place = (low + high) / 2;
+    if (asked.focus_place < low || asked.focus_place > high)
+        wave.fail("focus_place",
+                  fmt::format("x = {:.4g} m lies in a zone or outside the tank; expected a place between the "
+                              "zones, from {:.4g} to {:.4g} m",
+                              asked.focus_place, low, high));
+    const double way = begins_in_zone(scene) ? std::abs(asked.focus_place - (order.direction > 0 ? low : high)) : 0,
+                 least = way / scales.slowest;
+    if (!wave.has("focus_time")) asked.focus_time = 4 * scales.period + least;
+    if (asked.focus_time < least)
+        wave.fail(
+            "focus_time",
+            fmt::format("{:.4g} s; the shortest waves that count take {:.4g} s from the zone that makes them to the "
+                        "focus, and with solids in the tank they begin in that zone: expected at least that",
+                        asked.focus_time, least));
+    const double latest = scene.sea->repeat_period - 2 * scales.period;
+    if (asked.focus_time > latest)
+        wave.fail(
+            "focus_time",
+            fmt::format("{:.4g} s; a sum of {} waves repeats itself after {:.4g} s, so that an earlier group would "
+                        "come first: expected at most {:.4g} s, or more components",
+                        asked.focus_time, asked.components, scene.sea->repeat_period, latest));
+    order.focus_place = asked.focus_place;
+    order.focus_time = asked.focus_time;
+    scene.sea = make_sea(order);
+}
+
 }  // namespace
 
 void settle_wave(Scene& scene, Sections& s) {
     if (!s.wave.present()) return;
     const SceneSection& wave = s.wave;
     const WaveOptions& asked = scene.wave_asked;
+    refuse_foreign_keys(scene, wave);
+    if (asked.spectrum != "regular") {
+        refuse_surroundings(scene, s);
+        return settle_sea(scene, s);
+    }
     if (!wave.has("height")) wave.fail("height", "missing; a wave needs its height, e.g. height = \"0.04 m\"");
     if (wave.has("length") == wave.has("period"))
         wave.fail(wave.has("length") ? "period" : "length",
@@ -91,24 +252,12 @@ void settle_wave(Scene& scene, Sections& s) {
         wave.fail("height", fmt::format("{} (length about {:.4g} m, depth {:.4g} m); expected a lower wave", e.what(),
                                         length, order.depth));
     }
-    const double tank = scene.domain.box.size().x();
-    if (tank < shortest_tank * scene.wave->length * (1 - 1e-9))
-        wave.fail(size,
-                  fmt::format("the wave is {:.4g} m long and the tank {:.4g} m; expected a tank of at least {:.4g} m, "
-                              "{:g} wave lengths: 1.5 for the zone that makes it, one for the zone that absorbs it, "
-                              "one between",
-                              scene.wave->length, tank, shortest_tank * scene.wave->length, shortest_tank));
-    if (scene.wave->crest > scene.domain.box.max.z())
-        s.tank.fail(
-            s.tank.has("max") ? "max" : "size",
-            fmt::format("the tank ends {:.4g} m above still water, and the wave's crest is at {:.4g} m; expected a "
-                        "higher tank",
-                        scene.domain.box.max.z(), scene.wave->crest));
+    check_tank(scene, s, size);
 }
 
 void check_wave(const Scene& scene, Sections& s) {
-    if (!scene.wave) return;
-    const RegularWave& wave = *scene.wave;
+    if (!scene.has_wave()) return;
+    const WaveScales wave = wave_scales(scene);
     if (!scene.effect_on("forcing_zones"))
         s.effects.fail("forcing_zones", "a wave is made and absorbed by them; remove this key, or [wave]");
     for (const char* effect : {"air", "dynamic_pressure"})
@@ -118,19 +267,28 @@ void check_wave(const Scene& scene, Sections& s) {
         throw InputError(scene.place_of("sph.levels") +
                          ": particles of several sizes do not begin with a wave; write levels = 1 in [sph]");
     const double size = scene.resolution.near_hull;
+    const auto given = [&](std::initializer_list<const char*> keys) {
+        for (const char* key : keys)
+            if (s.wave.has(key)) return key;
+        return *keys.begin();
+    };
+    const char *of_height = given({"height", "significant_height", "crest"}),
+               *of_length = given({"length", "period", "peak_period"});
     if (wave.height < fewest_sizes * size * (1 - 1e-9))
         s.wave.fail(
-            "height",
+            of_height,
             fmt::format("{:.4g} m are {:.2g} times near_hull = {:.4g} m; expected at least {:g} in a wave's height "
                         "(six to ten keep it well): near_hull at most {:.3g} m",
                         wave.height, wave.height / size, size, fewest_sizes, wave.height / fewest_sizes));
-    const double coarsest = scene.resolution.spacing;
-    if (wave.length < fewest_along * coarsest * (1 - 1e-9))
+    // of a sum half as many in the shortest that count
+    const double coarsest = scene.resolution.spacing, along = scene.wave ? fewest_along : fewest_along / 2;
+    if (wave.shortest < along * coarsest * (1 - 1e-9))
         s.wave.fail(
-            s.wave.has("length") ? "length" : "period",
-            fmt::format("the wave of {:.4g} m is {:.2g} times the largest size, {:.4g} m; expected at least {:g}: "
+            of_length,
+            fmt::format("the {} of {:.4g} m is {:.2g} times the largest size, {:.4g} m; expected at least {:g}: "
                         "[resolution] spacing at most {:.3g} m",
-                        wave.length, wave.length / coarsest, coarsest, fewest_along, wave.length / fewest_along));
+                        scene.wave ? "wave" : "shortest wave that counts", wave.shortest, wave.shortest / coarsest,
+                        coarsest, along, wave.shortest / along));
     std::vector<std::pair<std::string, Box>> solids;
     if (scene.hull) solids.emplace_back("the hull", scene.hull->surface.bounds());
     for (const MovingBody& b : scene.bodies) solids.emplace_back("body " + b.name, b.surface.bounds());
@@ -139,7 +297,7 @@ void check_wave(const Scene& scene, Sections& s) {
         for (const auto& [name, at] : solids) {
             if (zone.high ? at.max.x() > zone.begin : at.min.x() < zone.begin)
                 s.wave.fail(
-                    s.wave.has("length") ? "length" : "period",
+                    of_length,
                     fmt::format("{} stands in the zone that ends at x = {:.4g} m, which makes or absorbs the wave; "
                                 "expected a longer tank, or the solid nearer to its middle",
                                 name, zone.begin));

@@ -19,7 +19,8 @@ public:
     }
 
     void add_rates(const StepView& step) override {
-        if (o_.wave) return add_rates_of_wave(step);
+        if (o_.wave) return add_rates_towards<ForceTowardsWave>(step, *o_.wave);
+        if (o_.sea) return add_rates_towards<ForceTowardsSea>(step, wave_moment(*o_.sea, step.time));
         ForceInZones force{.p = step.p,
                            .kind = step.kind,
                            .rate = step.rate,
@@ -46,21 +47,22 @@ public:
     }
 
 private:
-    void add_rates_of_wave(const StepView& step) {
-        ForceTowardsWave force{.p = step.p,
-                               .kind = step.kind,
-                               .rate = step.rate,
-                               .zones = {},
-                               .makes_wave = {},
-                               .count = static_cast<int>(o_.zones.size()),
-                               .time = step.time,
-                               .wave = *o_.wave};
+    template <class Loop, class Wave>
+    void add_rates_towards(const StepView& step, const Wave& wave) {
+        ForceTowards<Wave> force{.p = step.p,
+                                 .kind = step.kind,
+                                 .rate = step.rate,
+                                 .zones = {},
+                                 .makes_wave = {},
+                                 .count = static_cast<int>(o_.zones.size()),
+                                 .time = step.time,
+                                 .wave = wave};
         for (std::size_t k = 0; k < o_.zones.size(); ++k) {
             const ForcingZone& z = o_.zones[k];
             force.zones[k] = {z.axis, z.begin, 1 / (z.end - z.begin), z.gamma, 1};
             force.makes_wave[k] = z.makes_wave;
         }
-        step.each(step.n, force);
+        step.each(step.n, Loop{force});
     }
 
     ZoneForcing o_;
@@ -73,9 +75,10 @@ std::unique_ptr<Effect> make_effect(const ZoneForcing& options) { return std::ma
 void effect_of_scene::forcing_zones(const Scene& scene, const Surroundings&, const LevelSetup&, EffectOptions& on) {
     ForcingZones plan = tw::forcing_zones(scene);
     if (plan.zones.empty() && !tailwater(scene)) return;
-    std::optional<WaveSum> wave;
-    if (scene.wave) wave = scene.wave->sum;
-    on.push_back(ZoneForcing{std::move(plan.zones), wave});
+    ZoneForcing forcing{std::move(plan.zones)};
+    if (scene.wave) forcing.wave = scene.wave->sum;
+    if (scene.sea) forcing.sea = scene.sea->waves;
+    on.push_back(std::move(forcing));
 }
 
 }  // namespace tw

@@ -19,7 +19,8 @@ class Effect;
 /// starts, the water behind is accelerated by its share too (domain/stream.h).
 struct ZoneForcing {
     std::vector<ForcingZone> zones;
-    std::optional<WaveSum> wave = {};  ///< that some of the zones make; none: they make none
+    std::optional<WaveSum> wave = {};        ///< that some of the zones make; none: they make no regular one
+    std::optional<WaveComponents> sea = {};  ///< likewise, a sum of linear waves
 };
 std::unique_ptr<Effect> make_effect(const ZoneForcing& options);
 

@@ -4,7 +4,7 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/loops/records.h"
-#include "waves/wave_sum.h"
+#include "waves/wave_components.h"
 
 namespace tw {
 
@@ -45,8 +45,10 @@ struct ForceInZones {
     }
 };
 
-/// The same where some of the zones draw the water to a wave, the others to rest.
-struct ForceTowardsWave {
+/// The same where some of the zones draw the water to a wave, the others to rest. `Wave`: a regular one, or a sum of
+/// linear ones at that time.
+template <class Wave>
+struct ForceTowards {
     StateView p;
     const Kind* kind;
     RateRecord* rate;
@@ -54,7 +56,7 @@ struct ForceTowardsWave {
     bool makes_wave[ForceInZones::most];
     int count;
     double time;  ///< [s]
-    WaveSum wave;
+    Wave wave;
 
     void operator()(std::size_t i) const {
         if (!follows_the_equations(kind[i])) return;
@@ -67,12 +69,23 @@ struct ForceTowardsWave {
         }
         if (by == 0) return;
         double u = 0, w = 0;
-        if (to_wave) wave_velocity(wave, p.x[i], p.z[i], time, u, w);
+        if (to_wave) velocity(wave, p.x[i], p.z[i], u, w);
         RateRecord& r = rate[i];
         r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - u));
         r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));
         r.az -= static_cast<float>(by * (static_cast<double>(p.w[i]) - w));
     }
+
+private:
+    void velocity(const WaveSum& of, double x, double z, double& u, double& w) const {
+        wave_velocity(of, x, z, time, u, w);
+    }
+    void velocity(const WaveMoment& of, double x, double z, double& u, double& w) const {
+        wave_velocity(of, x, z, u, w);
+    }
 };
+struct ForceTowardsWave : ForceTowards<WaveSum> {};
+struct ForceTowardsSea : ForceTowards<WaveMoment> {};
+static_assert(sizeof(ForceTowardsSea) <= 4096, "a device takes no more as the argument of a kernel");
 
 }  // namespace tw

@@ -12,7 +12,8 @@
 #define TW_EFFECT_TASKS(task)                                                                       \
     task(tw_mark_air, MarkAir) task(tw_note_air, NoteAir) task(tw_damp_sound, DampSound)            \
         task(tw_cut_off_tension, CutOffTension) task(tw_force_in_zones, ForceInZones)               \
-            task(tw_force_to_wave, ForceTowardsWave) task(tw_feel_motion, FeelMotion)               \
+            task(tw_force_to_wave, ForceTowardsWave) task(tw_force_to_sea, ForceTowardsSea)         \
+                task(tw_feel_motion, FeelMotion)                                                    \
                 task(tw_set_viscosity, SetViscosity) task(tw_copy_motion, CopyMotion)               \
                     task(tw_hold_at_walls, HoldAtWalls) task(tw_normal_of_surface, NormalOfSurface) \
                         task(tw_pull_at_surface, PullAtSurface)

@@ -34,6 +34,28 @@ TEST(SplitWaves, CannotTellThemApartHalfAWaveLengthFromEachOther) {
     EXPECT_FALSE(split_waves(x, amplitudes, 2 * pi).apart);
 }
 
+TEST(SplitDecayingWaves, FindLossAndLengthBesideTheReflection) {
+    const double k = 2 * pi;
+    const Complex incident = std::polar(0.02, 0.4), reflected = std::polar(0.0004, -1.1), kappa(1.013 * k, 0.06);
+    for (const std::vector<double>& x :
+         {std::vector<double>{-0.3, -0.1, 0.3}, std::vector<double>{0, 0.2, 0.33, 0.6}}) {
+        double middle = 0;
+        for (const double at : x) middle += at / static_cast<double>(x.size());
+        std::vector<Complex> amplitudes;
+        for (const double at : x)
+            amplitudes.push_back(incident * std::exp(Complex(0, 1) * kappa * (at - middle)) +
+                                 reflected * std::exp(-Complex(0, 1) * kappa * (at - middle)));
+        const DecayingParts parts = split_decaying_waves(x, amplitudes, k);
+        ASSERT_TRUE(parts.apart);
+        EXPECT_NEAR(std::abs(parts.incident - incident), 0, 1e-10);
+        EXPECT_NEAR(std::abs(parts.reflected - reflected), 0, 1e-10);
+        EXPECT_NEAR(std::abs(parts.kappa - kappa), 0, 1e-8);
+        // a wave of constant height and the theory's length does not fit, and its reflection is wrong
+        EXPECT_GT(split_waves(x, amplitudes, k).misfit, 0.005);
+    }
+    EXPECT_FALSE(split_decaying_waves(std::vector<double>{0, 0.2}, std::vector<Complex>{0.02, 0.01}, k).apart);
+}
+
 /// Waves of 1 m and 0.8 s with a second harmonic, and 3 % of the first coming back, at three gauges.
 RunRecord tank(double height, double reflection) {
     RunRecord r;
@@ -71,6 +93,7 @@ TEST(RegularWaveMeasure, GivesHeightsAndReflectionOfARecord) {
     const Quantity* reflection = c.find("wave_reflection");
     ASSERT_TRUE(reflection);
     EXPECT_NEAR(reflection->values[0].value, 0, 1e-6);
+    EXPECT_NEAR(c.find("wave_loss")->values[0].value, 0, 1e-6);
     EXPECT_NEAR(reflection->values[1].value, 3, 0.01);
     EXPECT_EQ(c.references.size(), 9);
 }
@@ -86,7 +109,7 @@ TEST(RegularWaveMeasure, GivesHowFarABodyHeavesAndPitches) {
             const std::size_t row = table.append(t);
             table.set(row, "z", "m", -0.003 + heave * std::cos(angle + 0.3));
             table.set(row, "q0", "-", std::cos(turn / 2));
-            table.set(row, "q2", "-", std::sin(turn / 2));
+            table.set(row, "qy", "-", std::sin(turn / 2));
         }
         c.sources.push_back(r);
     }
@@ -104,6 +127,27 @@ TEST(RegularWaveMeasure, GivesHowFarABodyHeavesAndPitches) {
     add_regular_wave(c);
     EXPECT_FALSE(c.find("heave_response:box")) << "a body that is held in heave has no response";
     EXPECT_TRUE(c.find("pitch_response:box"));
+}
+
+TEST(RegularWaveMeasure, GivesForceAndDriftOfWhatStandsFixed) {
+    Comparison c;
+    c.sources = {tank(0.04, 0)};
+    c.names = {"sph"};
+    Table& table = c.sources[0].table("forces");
+    for (double t = 0; t < 9; t += 0.003) {
+        const double angle = 2 * pi / 0.8 * t;
+        const std::size_t row = table.append(t);
+        table.set(row, "fx", "N/m", 1.5 + 12 * std::cos(angle - 0.5) + 2 * std::cos(2 * angle));
+        table.set(row, "fz", "N/m", 300 + 9 * std::cos(angle + 3.1));
+    }
+    add_regular_wave(c);
+    EXPECT_NEAR(c.find("wave_force_x")->values[0].value, 12, 1e-6);
+    EXPECT_NEAR(c.find("wave_force_z")->values[0].value, 9, 1e-6);
+    EXPECT_NEAR(c.find("wave_drift_x")->values[0].value, 1.5, 1e-6);
+    // a crest of the theory is at x = 0 at t = 0: the force along x comes after it
+    EXPECT_NEAR(std::abs(c.find("wave_force_phase_x")->values[0].value), 0.5 * 180 / pi, 1e-6);
+    EXPECT_NEAR(c.find("wave_force_phase_x")->values[0].value, -0.5 * 180 / pi, 1e-6);
+    EXPECT_FALSE(c.find("wave_drift_z")) << "it would hold the buoyancy";
 }
 
 TEST(RegularWaveMeasure, IsAbsentWithoutAWave) {

@@ -87,6 +87,26 @@ TEST(ForcingZonesInInterFoam, DrawToTheSpeedOfTheWaterBehind) {
     EXPECT_EQ(text_of(plan_case(scene, com), "constant/fvOptions").find("forcingZonesBehind"), std::string::npos);
 }
 
+// A sum of waves is handed over in the very numbers that the particles take, for the library to read.
+TEST(ForcingZonesInInterFoam, DrawToASumOfWaves) {
+    Scene scene = channel();
+    scene.motion = {};
+    scene.domain.undamped = scene.domain.box;
+    scene.domain.x_min = scene.domain.x_max = Side::slip_wall;
+    scene.sea = make_sea({.depth = 0.2, .height = 0.02, .peak_period = 0.6, .components = 12});
+    const CasePlan plan = plan_case(scene, installation("openfoam.com", "v1912", "/lib/libforcingZones.so"));
+    ASSERT_TRUE(plan.zones.sea);
+    const std::string source = text_of(plan, "constant/fvOptions");
+    for (const char* part : {"makesWave       true;", "sea\n", "amplitude", "omega", "phase", "current"})
+        EXPECT_NE(source.find(part), std::string::npos) << part << ": " << source;
+    EXPECT_EQ(source.find("wave\n"), std::string::npos);
+    // as many numbers as components, the first of each as it is
+    const std::size_t list = source.find("amplitude");
+    const std::string numbers = source.substr(list, source.find(';', list) - list);
+    EXPECT_EQ(std::ranges::count(numbers, '.'), 12) << numbers;
+    EXPECT_NE(text_of(plan, "system/setFieldsDict"), "");
+}
+
 // Without them the case has no word of them.
 TEST(ForcingZonesInInterFoam, LeaveNothingBehindWhereTheyAreOff) {
     Scene scene = channel();

@@ -47,6 +47,20 @@ inline std::map<std::string, Change> changes() {
         "[tank]\nmin = [-2, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.04\n"
         "length = 1\n[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n[sampling]\ninterval = 0.02\n"
         "mean_from = 0.7\n[sph]\nc0 = 100\n";
+    const auto sea = [&](const std::string& wave) {
+        return "[tank]\nmin = [-4, 0, -0.4]\nmax = [4, 0.02, 0.2]\n[domain]\ndimensions = 2\n[wave]\n" + wave +
+               "[resolution]\nnear_hull = 0.0125\n[run]\nduration = 1\n[sampling]\ninterval = 0.02\nmean_from = 0.7\n"
+               "[sph]\nc0 = 100\n";
+    };
+    const std::string random =
+                          sea("spectrum = \"jonswap\"\nsignificant_height = 0.06\npeak_period = 1\npeakedness = 3.3\n"
+                              "components = 60\nseed = 1\n"),
+                      two_waves =
+                          sea("spectrum = \"bichromatic\"\nheight = 0.04\nperiod = 1\nsecond_height = 0.03\n"
+                              "second_period = 0.8\n"),
+                      focused =
+                          sea("spectrum = \"focused\"\ncrest = 0.06\npeak_period = 1\nfocus_place = 0.5\n"
+                              "focus_time = 5\n");
     const std::string sluice =
         "[motion]\nkind = \"stream\"\nspeed = 0.4\nramp = 0.1\n[domain]\nx = [-1, 2]\nz = [-0.4, 0.3]\ndimensions = 2\n"
         "[resolution]\nnear_hull = 0.01\n[run]\nduration = 1\n[sampling]\ninterval = 0.02\n[sph]\nc0 = 100\n"
@@ -303,6 +317,17 @@ inline std::map<std::string, Change> changes() {
         {"wave.period", replaced(with(wavy, "length = 1\n", "period = 0.8\n"), "period = 0.8", "period = 0.75")},
         {"wave.direction", set(wavy, "wave", "direction", "0", "\"180 deg\"")},
         {"wave.theory", set(wavy, "wave", "theory", "\"linear\"", "\"stream_function\"")},
+        {"wave.spectrum", {random, with(with(random, "peakedness = 3.3\n", ""), "jonswap", "pierson-moskowitz")}},
+        {"wave.significant_height", replaced(random, "height = 0.06", "height = 0.065")},
+        {"wave.peak_period", replaced(random, "peak_period = 1", "peak_period = 0.98")},
+        {"wave.peakedness", replaced(random, "peakedness = 3.3", "peakedness = 2")},
+        {"wave.components", replaced(random, "components = 60", "components = 40")},
+        {"wave.seed", replaced(random, "seed = 1", "seed = 2")},
+        {"wave.second_height", replaced(two_waves, "second_height = 0.03", "second_height = 0.02")},
+        {"wave.second_period", replaced(two_waves, "second_period = 0.8", "second_period = 0.85")},
+        {"wave.crest", replaced(focused, "crest = 0.06", "crest = 0.05")},
+        {"wave.focus_place", replaced(focused, "focus_place = 0.5", "focus_place = 0.6")},
+        {"wave.focus_time", replaced(focused, "focus_time = 5", "focus_time = 5.5")},
         {"domain.downstream", set(sluice, "domain", "downstream", "0.061", "0.06")},
         {"sph.zones",
          set(with(fixed, "[sph]\n", "[sph]\nlevels = 1\n") + zoned, "sph", "zones", "\"fine\"", "\"coarse\"")},
