@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::uintmax_t most_bytes = 64'000'000;
-constexpr int deepest = 8;
+constexpr int deepest = 10;
 
 struct OutOfLimits : std::runtime_error {
     using std::runtime_error::runtime_error;
