@@ -20,6 +20,9 @@ constexpr std::size_t remembered = 5;
 constexpr double shortest = 10;      ///< of a run that may teach anything [s]
 constexpr double shortest_fast = 1;  ///< of one that may teach that the machine is faster [s]
 constexpr double of_busy_hour = 2;   ///< times the pace of a later run
+/// No processor makes the table's second in less: then the table was wrong about the run (a mesh that came out coarser, a
+/// run that ended early). A GPU is faster.
+constexpr double fastest_processor = 0.35;
 
 fs::path pace_file() {
     const fs::path folder = cache_folder();
@@ -56,8 +59,14 @@ std::vector<double> paces_listed(const Json& paces, const std::string& key) {
     return found;
 }
 
+bool possible(const std::string& method, double pace) {
+    const bool on_a_device = method.find(" on ") != std::string::npos;  // pace_on_gpu
+    return on_a_device || pace >= fastest_processor;
+}
+
 double median(const Json& paces, const std::string& method) {
     std::vector<double> ratios = paces_listed(paces, method);
+    std::erase_if(ratios, [&](double r) { return !possible(method, r); });
     for (const std::string& of : {calibration(method), calibration("")})
         if (ratios.empty()) ratios = paces_listed(paces, of);
     if (ratios.empty()) return 1;
@@ -98,6 +107,7 @@ void learn_pace(const std::string& method, double expected, double taken, bool a
     const double pace = taken / expected;
     // Other programs and a run's first seconds make it slower, and nothing makes it faster than the machine is.
     const Json paces = read_paces();
+    if (!possible(method, pace)) return;
     const bool known = knows_pace(method) || !paces_listed(paces, calibration("")).empty();
     const bool faster = known && pace < median(paces, method);
     if (!faster && (!alone || !(taken > shortest))) return;

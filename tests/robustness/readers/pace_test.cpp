@@ -43,6 +43,15 @@ TEST_F(Pace, AShortRunEndsItToo) {
     EXPECT_DOUBLE_EQ(machine_pace("sph"), 1.2) << "a short run that is slow tells of its first seconds";
 }
 
+TEST_F(Pace, ThatNoProcessorHasComesFromTheTableAndTeachesNothing) {
+    write("\"fvm\": [0.08, 1.4, 1.6], \"bench\": 1.7");
+    EXPECT_DOUBLE_EQ(machine_pace("fvm"), 1.5) << "learned by an earlier version";
+    learn_pace("fvm", 100, 12, true);
+    EXPECT_DOUBLE_EQ(machine_pace("fvm"), 1.5);
+    learn_pace("fvm", 20, 26, true);
+    EXPECT_DOUBLE_EQ(machine_pace("fvm"), 1.4);
+}
+
 TEST_F(Pace, ARunBesideOthersTeachesNothing) {
     learn_pace("sph", 20, 25, true);
     for (int k = 0; k < 5; ++k) learn_pace("sph", 20, 200, false);
