@@ -77,7 +77,7 @@ std::string sea_text(const Scene& scene) {
     const Sea& sea = *scene.sea;
     const WaveScales w = wave_scales(scene);
     const double depth = sea.depth(), between = between_zones(scene), size = scene.resolution.near_hull;
-    const LeftOut left = left_out_by_first_order(sea);
+    const SecondOrderShare left = left_out_by_first_order(sea);
     std::string out = fmt::format("wave        {}, towards {}x\n", what_it_is(sea), w.direction > 0 ? "+" : "-");
     const int last = sea.waves.count - 1;
     out += fmt::format("  theory    sum of {} linear waves of {:.4g} to {:.4g} s", sea.waves.count,

@@ -199,9 +199,9 @@ double second_order_surface(const Sea& sea, double x, double t) {
     return SurfaceAt(sea, x, true)(t) - wave_surface(sea.waves, x, t);
 }
 
-double LeftOut::both() const { return std::hypot(sum, difference); }
+double SecondOrderShare::both() const { return std::hypot(sum, difference); }
 
-LeftOut left_out_by_first_order(const Sea& sea) {
+SecondOrderShare left_out_by_first_order(const Sea& sea) {
     double sum = 0, difference = 0;  // mean squares
     Pairs{sea}.each([&](int, int, const BoundWaves& K, double a) {
         sum += K.sum * a * K.sum * a / 2;

@@ -70,11 +70,11 @@ BoundWaves bound_waves(double k_i, double R_i, double k_j, double R_j, double de
 /// Surface to second order without the first, at one place and time [m].
 double second_order_surface(const Sea& sea, double x, double t);
 /// Significant height of the bound waves over that of the sea: what a sum of linear waves leaves out [-].
-struct LeftOut {
+struct SecondOrderShare {
     double sum = 0, difference = 0;  ///< of the short ones and of the long ones [-]
     double both() const;
 };
-LeftOut left_out_by_first_order(const Sea& sea);
+SecondOrderShare left_out_by_first_order(const Sea& sea);
 
 /// The highest crest between two times at one place, to first or second order.
 struct Crest {
