@@ -16,7 +16,8 @@ WaveParts split_waves(std::span<const double> x, std::span<const std::complex<do
 /// The same where the wave loses height on its way and has a length of its own: a complex number kappa in place of k, A =
 /// a_i exp(i kappa x) + a_r exp(-i kappa x), both parts losing height as they run, by Gauss-Newton steps from split_waves;
 /// of three gauges exactly, of more by least squares. `incident` and `reflected` in the middle of the gauges. A length
-/// that is wrong by a hundredth would else look like a part that does not fit, of 4 % at gauges 0.6 wave lengths apart.
+/// that is wrong by a hundredth shifts the phases of gauges 0.6 wave lengths apart by 0.04 rad, which else looks like a
+/// part that does not fit.
 /// Not `apart` with fewer than three places, or where kappa is more than a tenth away from k.
 struct DecayingParts : WaveParts {
     std::complex<double> kappa = 0;  ///< [1/m]; its imaginary part is the loss
