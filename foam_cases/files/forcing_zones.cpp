@@ -40,7 +40,9 @@ void add_zones(const ZoneSource& source, Dictionary& sources) {
         of_share[zone.share].push_back(d);
     }
     for (const auto& [share, zones] : of_share) {
-        Dictionary all{{"type", Word("forcingZones")}, {"velocity", Vec3(share * source.velocity)}, {"zones", zones}};
+        Dictionary all{{"type", Word(source.sea ? "forcingZonesOfASea" : "forcingZones")},
+                       {"velocity", Vec3(share * source.velocity)},
+                       {"zones", zones}};
         if (source.wave) all.add("wave", numbers_of(*source.wave));
         if (source.sea) all.add("sea", numbers_of(*source.sea));
         sources.add(share == 1 ? "forcingZones" : "forcingZonesBehind", all);

@@ -180,6 +180,9 @@ public:
 
 defineTypeNameAndDebug(forcingZones, 0);
 addToRunTimeSelectionTable(Source, forcingZones, dictionary);
+// The type that a case names where it gives a sum of waves: a library built before these existed knows no such type, and
+// OpenFOAM stops there in place of drawing the making zone to rest.
+addNamedToRunTimeSelectionTable(Source, forcingZones, dictionary, forcingZonesOfASea);
 
 }  // namespace fv
 }  // namespace Foam
