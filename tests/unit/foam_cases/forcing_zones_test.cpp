@@ -97,7 +97,8 @@ TEST(ForcingZonesInInterFoam, DrawToASumOfWaves) {
     const CasePlan plan = plan_case(scene, installation("openfoam.com", "v1912", "/lib/libforcingZones.so"));
     ASSERT_TRUE(plan.zones.sea);
     const std::string source = text_of(plan, "constant/fvOptions");
-    for (const char* part : {"makesWave       true;", "sea\n", "amplitude", "omega", "phase", "current"})
+    for (const char* part :
+         {"forcingZonesOfASea;", "makesWave       true;", "sea\n", "amplitude", "omega", "phase", "current"})
         EXPECT_NE(source.find(part), std::string::npos) << part << ": " << source;
     EXPECT_EQ(source.find("wave\n"), std::string::npos);
     // as many numbers as components, the first of each as it is
