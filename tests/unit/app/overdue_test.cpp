@@ -7,7 +7,7 @@ namespace overdue_test {
 
 /// Of a run of 10 s that was predicted to take 100 s: after so many seconds of steps at `pace` simulated seconds a second.
 Progress after(double wall, double pace, long steps = 1000) {
-    return {.time = wall * pace, .duration = 10, .wall = wall, .steps = steps};
+    return {.time = wall * pace, .duration = 10, .wall = wall, .steps = steps, .note = {}};
 }
 
 TEST(Overdue, ARunOfThreeTimesItsPredictionSaysSoOnceAfterItsFirstMinute) {
@@ -28,11 +28,12 @@ TEST(Overdue, MeshingAndWhatWasComputedBeforeDoNotCount) {
     Overdue overdue(100);
     for (double wall = 0; wall < 300; wall += 10) EXPECT_EQ(overdue.look(after(wall, 0, 0)), "") << "meshing";
     // gone on with at 8 of 10 s, and as fast as predicted from there
-    EXPECT_EQ(overdue.look({.time = 8, .duration = 10, .wall = 300, .steps = 5000}), "");
-    EXPECT_EQ(overdue.look({.time = 14.2, .duration = 10, .wall = 362, .steps = 6000}), "");
+    EXPECT_EQ(overdue.look({.time = 8, .duration = 10, .wall = 300, .steps = 5000, .note = {}}), "");
+    EXPECT_EQ(overdue.look({.time = 14.2, .duration = 10, .wall = 362, .steps = 6000, .note = {}}), "");
     Overdue slow(100);
-    EXPECT_EQ(slow.look({.time = 8, .duration = 10, .wall = 300, .steps = 5000}), "");
-    EXPECT_NE(slow.look({.time = 8.5, .duration = 10, .wall = 362, .steps = 5100}), "") << "its steps alone count";
+    EXPECT_EQ(slow.look({.time = 8, .duration = 10, .wall = 300, .steps = 5000, .note = {}}), "");
+    EXPECT_NE(slow.look({.time = 8.5, .duration = 10, .wall = 362, .steps = 5100, .note = {}}), "")
+        << "its steps alone count";
 }
 
 TEST(Overdue, NothingIsSaidWhereNothingWasPredicted) {
