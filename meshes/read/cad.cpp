@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> surface_of(const CutDrawing& drawing) {
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> read_cad(const std::filesystem::path& file, const std::filesystem::path& readable,
-                                      bool iges, const std::string& name) {
+                                      bool iges) {
     const auto read = [&]() -> vtkSmartPointer<vtkPointSet> {
         const Cut cut = cutter();
         if (cut == nullptr)
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPolyData> read_cad(const std::filesystem::path& file, const s
                 "install libocct-data-exchange-dev and build again");
         CutDrawing drawing;
         try {
-            cut(readable.c_str(), iges, cad_chord, 12 * std::numbers::pi / 180, name.c_str(), &drawing);
+            cut(readable.c_str(), iges, cad_chord, 12 * std::numbers::pi / 180, &drawing);
         } catch (const std::exception& e) { throw InputError(e.what()); }
         return surface_of(drawing);
     };

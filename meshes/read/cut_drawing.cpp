@@ -1,42 +1,23 @@
 // Drawings by Open CASCADE: a library of its own, loaded where a drawing is read, because linked into the program Open
 // CASCADE would add a tenth of a second to each of its starts.
-#include <algorithm>
-#include <Bnd_Box.hxx>
-#include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
-#include <cmath>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <IGESControl_Reader.hxx>
-#include <Interface_EntityIterator.hxx>
-#include <Interface_Graph.hxx>
-#include <Standard_Failure.hxx>
-#include <stdexcept>
-#include <StepBasic_Product.hxx>
-#include <StepBasic_ProductDefinition.hxx>
-#include <StepBasic_ProductDefinitionFormation.hxx>
 #include <STEPControl_Reader.hxx>
-#include <StepRepr_CharacterizedDefinition.hxx>
-#include <StepRepr_PropertyDefinition.hxx>
-#include <StepRepr_Representation.hxx>
-#include <StepRepr_RepresentationItem.hxx>
-#include <StepRepr_RepresentationRelationship.hxx>
-#include <StepRepr_RepresentedDefinition.hxx>
-#include <StepRepr_ShapeRepresentationRelationshipWithTransformation.hxx>
-#include <StepShape_ShapeDefinitionRepresentation.hxx>
-#include <string>
-#include <TCollection_HAsciiString.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <vector>
-#include <XSControl_TransferReader.hxx>
-#include <XSControl_WorkSession.hxx>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "meshes/read/cut_drawing.h"
-#include "meshes/read/named_solid.h"
 
 namespace tw {
 namespace {
@@ -44,7 +25,8 @@ namespace {
 constexpr double metres_per_unit = 1e-3;  // Open CASCADE turns every file's unit into millimetres
 
 template <class Reader>
-TopoDS_Shape shape_in(Reader& reader, const char* file, const char* kind) {
+TopoDS_Shape shape_in(const char* file, const char* kind) {
+    Reader reader;
     if (reader.ReadFile(file) != IFSelect_RetDone)
         throw std::runtime_error(std::string("it is no ") + kind + " file, or a damaged one; export the hull again");
     reader.TransferRoots();
@@ -92,62 +74,6 @@ TopoDS_Shape body_of(const TopoDS_Shape& shape, double diagonal) {
     return body;
 }
 
-/// The product whose representation an entity of a STEP file belongs to: upwards to the nearest representation that
-/// defines a product's shape, but not from a part to the assembly that places it. Empty: none is found.
-std::string product_of(const Handle(Standard_Transient) & entity, const Interface_Graph& graph) {
-    std::vector<Handle(Standard_Transient)> level{entity}, seen;
-    constexpr int farthest = 8;
-    for (int step = 0; step < farthest && !level.empty(); ++step) {
-        std::vector<Handle(Standard_Transient)> next;
-        for (const auto& e : level) {
-            Interface_EntityIterator above = graph.Sharings(e);
-            for (above.Start(); above.More(); above.Next()) {
-                const Handle(Standard_Transient)& who = above.Value();
-                if (std::find(seen.begin(), seen.end(), who) != seen.end()) continue;
-                seen.push_back(who);
-                const auto shape = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(who);
-                if (!shape.IsNull()) {
-                    const auto property = shape->Definition().PropertyDefinition();
-                    const auto product = property.IsNull() ? nullptr : property->Definition().ProductDefinition();
-                    if (!product.IsNull()) return product->Formation()->OfProduct()->Name()->ToCString();
-                }
-                if (who->IsKind(STANDARD_TYPE(StepRepr_ShapeRepresentationRelationshipWithTransformation))) continue;
-                const auto relation = Handle(StepRepr_RepresentationRelationship)::DownCast(who);
-                if (!relation.IsNull()) next.push_back(relation->Rep1()), next.push_back(relation->Rep2());
-                if (who->IsKind(STANDARD_TYPE(StepRepr_Representation))) next.push_back(who);
-            }
-        }
-        level = std::move(next);
-    }
-    return {};
-}
-
-/// The solids that a STEP file calls so, by their product (a body of FreeCAD is one) or by themselves.
-TopoDS_Shape solids_called(const std::string& name, const STEPControl_Reader& reader, const TopoDS_Shape& shape) {
-    const Handle(XSControl_TransferReader) transfer = reader.WS()->TransferReader();
-    const Interface_Graph graph = reader.WS()->Graph();
-    BRep_Builder builder;
-    TopoDS_Compound named;
-    builder.MakeCompound(named);
-    std::vector<std::string> there;
-    int found = 0;
-    for (TopExp_Explorer each(shape, TopAbs_SOLID); each.More(); each.Next()) {
-        Handle(Standard_Transient) entity = transfer->EntityFromShapeResult(each.Current(), 1);
-        if (entity.IsNull()) entity = transfer->EntityFromShapeResult(each.Current().Located(TopLoc_Location()), 1);
-        if (entity.IsNull()) continue;
-        const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity);
-        const std::string own = item.IsNull() || item->Name().IsNull() ? "" : item->Name()->ToCString();
-        const std::string product = product_of(entity, graph);
-        for (const std::string& n : {product, own})
-            if (!n.empty() && std::find(there.begin(), there.end(), n) == there.end()) there.push_back(n);
-        if (name != own && name != product) continue;
-        builder.Add(named, each.Current());
-        ++found;
-    }
-    if (found == 0) throw std::runtime_error(no_such_solid(name, there));
-    return named;
-}
-
 CutDrawing triangles_of(const TopoDS_Shape& drawing, double chord, double turn) {
     const double diagonal = diagonal_of(drawing);
     const TopoDS_Shape body = body_of(drawing, diagonal);
@@ -181,17 +107,11 @@ CutDrawing triangles_of(const TopoDS_Shape& drawing, double chord, double turn) 
 
 }  // namespace
 
-extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, const char* name,
-                               CutDrawing* to) {
+extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, CutDrawing* to) {
     try {
-        if (iges && *name != '\0')
-            throw std::runtime_error(
-                "solids are taken by name from STEP, STL and OBJ files; export the bodies as STEP");
-        IGESControl_Reader iges_reader;
-        STEPControl_Reader step_reader;
-        TopoDS_Shape shape = iges ? shape_in(iges_reader, file, "IGES") : shape_in(step_reader, file, "STEP");
-        if (*name != '\0') shape = solids_called(name, step_reader, shape);
-        *to = triangles_of(shape, chord, turn);
+        *to =
+            triangles_of(iges ? shape_in<IGESControl_Reader>(file, "IGES") : shape_in<STEPControl_Reader>(file, "STEP"),
+                         chord, turn);
     } catch (const Standard_Failure& e) {  // not a std::exception
         throw std::runtime_error(std::string("Open CASCADE says: ") + e.GetMessageString());
     }

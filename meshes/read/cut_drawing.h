@@ -11,9 +11,7 @@ struct CutDrawing {
 };
 
 /// Cuts a STEP or IGES file into triangles whose chords stay within `chord` times the diagonal of its box, and whose
-/// neighbours' normals within `turn` [rad]. `name`: of the solids only those of the product, or with the name, that a STEP
-/// file gives them; empty: all. Throws std::runtime_error that says why it cannot, without the file's name.
-extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, const char* name,
-                               CutDrawing* to);
+/// neighbours' normals within `turn` [rad]. Throws std::runtime_error that says why it cannot, without the file's name.
+extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, CutDrawing* to);
 
 }  // namespace tw

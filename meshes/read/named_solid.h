@@ -7,7 +7,7 @@
 
 namespace tw {
 
-/// One body of a file that holds several: "boat.step#keel" is the body that boat.step calls keel.
+/// One body of a file that holds several: "boat.obj#keel" is the body that boat.obj calls keel.
 struct NamedSolid {
     std::filesystem::path file;
     std::string name;  ///< empty: all that is in the file

@@ -182,11 +182,11 @@ Surface read_by_type(const fs::path& file, std::string_view unit, const std::str
         content.erase(0, mark);
         readable = memory.emplace(content).path();
     }
-    if (!name.empty() && (type == ".ply" || type == ".vtp" || (type == ".stl" && !is_ascii_stl(content))))
-        throw InputError(
-            file.string() +
-            (type == ".stl" ? ": a binary STL file names no solids" : ": this kind of file names no solids") +
-            "; leave #" + name + " out, or export the bodies as STEP, OBJ or ascii STL");
+    if (!name.empty() && (drawing || type == ".ply" || type == ".vtp" || (type == ".stl" && !is_ascii_stl(content))))
+        throw InputError(file.string() +
+                         (type == ".stl" ? ": a binary STL file names no solids"
+                                         : ": solids are not taken by name from this kind of file") +
+                         "; leave #" + name + " out, or export the bodies as OBJ or ascii STL");
     if (type == ".obj") {
         if (!name.empty()) {
             content = only_named_in_obj(file, content, name);
@@ -198,7 +198,7 @@ Surface read_by_type(const fs::path& file, std::string_view unit, const std::str
         return from_vtk(file, read_obj(file, readable));
     }
     if (type == ".ply") { return from_vtk(file, read_ply(file, content)); }
-    if (drawing) return welded(from_vtk(file, read_cad(file, readable, iges, name)), metres_apart_in_drawings);
+    if (drawing) return welded(from_vtk(file, read_cad(file, readable, iges)), metres_apart_in_drawings);
     if (type == ".vtp") {
         check_vtk_xml(file, content, "PolyData");
         return read_vtp(file, readable);
