@@ -98,7 +98,7 @@ TEST(ForcingZonesInInterFoam, DrawToASumOfWaves) {
     ASSERT_TRUE(plan.zones.sea);
     const std::string source = text_of(plan, "constant/fvOptions");
     for (const char* part :
-         {"forcingZonesOfASea;", "makesWave       true;", "sea\n", "amplitude", "omega", "phase", "current"})
+         {"forcingZonesOfASea;", "makesWave       yes;", "sea\n", "amplitude", "omega", "phase", "current"})
         EXPECT_NE(source.find(part), std::string::npos) << part << ": " << source;
     EXPECT_EQ(source.find("wave\n"), std::string::npos);
     // as many numbers as components, the first of each as it is
