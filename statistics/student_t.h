@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+#include <span>
 
 namespace tw {
 
@@ -8,5 +10,12 @@ double student_t_95(double degrees);
 
 /// Probability that Student's t with `degrees` (> 0) degrees of freedom is below `t` [-].
 double student_t_cdf(double t, double degrees);
+
+/// Mean of independent values and its half width, t_95 s / sqrt(n) with the sample's deviation s.
+struct IndependentMean {
+    double value = NAN;       ///< NaN of no values
+    double half_width = NAN;  ///< NaN of fewer than two
+};
+IndependentMean mean_of_independent(std::span<const double> values);
 
 }  // namespace tw

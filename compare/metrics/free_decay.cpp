@@ -105,12 +105,7 @@ double length_of(const RunRecord& r, const std::string& body) {
 
 /// Half width of the mean of values [their unit]; none of fewer than three.
 double half_width_of(const std::vector<double>& values) {
-    const auto n = static_cast<double>(values.size());
-    if (n < 3) return NAN;
-    double mean = 0, squares = 0;
-    for (const double v : values) mean += v / n;
-    for (const double v : values) squares += (v - mean) * (v - mean);
-    return student_t_95(n - 1) * std::sqrt(squares / (n - 1) / n);
+    return values.size() < 3 ? NAN : mean_of_independent(values).half_width;
 }
 
 }  // namespace

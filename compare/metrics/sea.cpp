@@ -244,19 +244,15 @@ void add_two(Comparison& comparison, const SeaAsked& sea, const std::string& gau
             for (int j = 0; j < 2; ++j) heights[j].push_back(2 * std::hypot(fit(2 * j + 1), fit(2 * j + 2)));
         }
         for (int j = 0; j < 2; ++j) {
-            const auto n = static_cast<double>(heights[j].size());
             if (heights[j].empty()) {
                 q[j].values.push_back(unknown_value(r.series("height", gauge)
                                                         ? "no whole beat was recorded with two samples a fitted number"
                                                         : not_given));
                 continue;
             }
-            double mean = 0, squares = 0;
-            for (const double h : heights[j]) mean += h / n;
-            for (const double h : heights[j]) squares += (h - mean) * (h - mean);
             // how far the beats differ; of one alone nothing is known
-            q[j].values.push_back(known_value(
-                mean, n > 1 ? student_t_95(n - 1) * std::sqrt(squares / (n - 1) / n) : NAN, sea.from, sea.to()));
+            const IndependentMean mean = mean_of_independent(heights[j]);
+            q[j].values.push_back(known_value(mean.value, mean.half_width, sea.from, sea.to()));
         }
     }
     for (int j = 0; j < 2; ++j) {

@@ -40,17 +40,8 @@ inline MeanValue mean_over(const std::vector<double>& values, const WavePeriods&
     if (values.size() < 3)
         return unknown_value(fmt::format("fewer than {} samples a period were recorded; shorten [sampling] interval",
                                          fewest_in_a_period));
-    MeanValue m;
-    const double n = static_cast<double>(values.size());
-    double squares = 0;
-    m.value = 0;
-    for (const double v : values) m.value += v / n;
-    for (const double v : values) squares += (v - m.value) * (v - m.value);
-    m.known = true;
-    m.why_not.clear();
-    m.half_width = student_t_95(n - 1) * std::sqrt(squares / (n - 1) / n);
-    m.from = periods.from, m.to = periods.from + periods.count * periods.period;
-    return m;
+    const IndependentMean mean = mean_of_independent(values);
+    return known_value(mean.value, mean.half_width, periods.from, periods.from + periods.count * periods.period);
 }
 
 }  // namespace tw

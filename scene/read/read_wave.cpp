@@ -115,65 +115,51 @@ void refuse_breaking(const SceneSection& wave, const char* key, double height, d
                                    height, what, length, depth, most, 100 * share));
 }
 
-void settle_sea(Scene& scene, Sections& s) {
-    const SceneSection& wave = s.wave;
-    WaveOptions& asked = scene.wave_asked;
-    SeaOrder order{.depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
-    order.direction = direction_of(scene, wave);
-    const auto length_of = [&](double period) {
-        return 2 * std::numbers::pi / wave_number(2 * std::numbers::pi / period, order.gravity, order.depth);
-    };
-    std::string size = "peak_period";
-    if (asked.spectrum == "bichromatic") {
-        order.kind = Sea::Kind::bichromatic;
-        size = "period";
-        order.heights[0] = required(wave, "height", asked.height, "the first of two waves needs its height", "40 mm");
-        order.periods[0] = required(wave, "period", asked.period, "the first of two waves needs its period", "1.2 s");
-        order.heights[1] =
-            required(wave, "second_height", asked.second_height, "the second wave needs its height", "40 mm");
-        order.periods[1] =
-            required(wave, "second_period", asked.second_period, "the second wave needs its period", "1 s");
-        if (std::abs(std::log(order.periods[0] / order.periods[1])) < 0.02)
-            wave.fail(
-                "second_period",
-                fmt::format("{:.4g} s; the first wave has {:.4g} s: expected periods that differ by 2 % and more, "
-                            "else a beat is longer than 50 waves",
-                            order.periods[1], order.periods[0]));
-        refuse_breaking(wave, "second_height", order.heights[0] + order.heights[1],
-                        std::min(length_of(order.periods[0]), length_of(order.periods[1])), order.depth, largest_share,
-                        "where both have their crests a wave as high as both together and as long as the shorter one,");
+double length_of(const SeaOrder& order, double period) {
+    return 2 * std::numbers::pi / wave_number(2 * std::numbers::pi / period, order.gravity, order.depth);
+}
+
+void order_two(SeaOrder& order, const WaveOptions& asked, const SceneSection& wave) {
+    order.kind = Sea::Kind::bichromatic;
+    order.heights[0] = required(wave, "height", asked.height, "the first of two waves needs its height", "40 mm");
+    order.periods[0] = required(wave, "period", asked.period, "the first of two waves needs its period", "1.2 s");
+    order.heights[1] =
+        required(wave, "second_height", asked.second_height, "the second wave needs its height", "40 mm");
+    order.periods[1] = required(wave, "second_period", asked.second_period, "the second wave needs its period", "1 s");
+    if (std::abs(std::log(order.periods[0] / order.periods[1])) < 0.02)
+        wave.fail("second_period",
+                  fmt::format("{:.4g} s; the first wave has {:.4g} s: expected periods that differ by 2 % and more, "
+                              "else a beat is longer than 50 waves",
+                              order.periods[1], order.periods[0]));
+    refuse_breaking(wave, "second_height", order.heights[0] + order.heights[1],
+                    std::min(length_of(order, order.periods[0]), length_of(order, order.periods[1])), order.depth,
+                    largest_share,
+                    "where both have their crests a wave as high as both together and as long as the shorter one,");
+}
+
+void order_spectrum(SeaOrder& order, const WaveOptions& asked, const SceneSection& wave) {
+    order.peak_period =
+        required(wave, "peak_period", asked.peak_period, "a spectrum needs the period of its peak", "1.2 s");
+    order.peakedness = asked.peakedness;
+    order.components = asked.components;
+    order.seed = static_cast<std::uint64_t>(asked.seed);
+    const double length = length_of(order, order.peak_period);
+    if (asked.spectrum == "focused") {
+        order.kind = Sea::Kind::focused;
+        order.height = required(wave, "crest", asked.crest, "a focused wave needs its crest by linear theory", "50 mm");
+        refuse_breaking(wave, "crest", order.height, length, order.depth, 0.5, "a group at a peak");
     } else {
-        order.peak_period =
-            required(wave, "peak_period", asked.peak_period, "a spectrum needs the period of its peak", "1.2 s");
-        order.peakedness = asked.peakedness;
-        order.components = asked.components;
-        order.seed = static_cast<std::uint64_t>(asked.seed);
-        const double length = length_of(order.peak_period);
-        if (asked.spectrum == "focused") {
-            order.kind = Sea::Kind::focused;
-            order.height =
-                required(wave, "crest", asked.crest, "a focused wave needs its crest by linear theory", "50 mm");
-            refuse_breaking(wave, "crest", order.height, length, order.depth, 0.5, "a group at a peak");
-        } else {
-            order.kind = asked.spectrum == "jonswap" ? Sea::Kind::jonswap : Sea::Kind::pierson_moskowitz;
-            order.height = required(wave, "significant_height", asked.significant_height,
-                                    "a spectrum needs its significant height", "50 mm");
-            refuse_breaking(wave, "significant_height", order.height, length, order.depth, 0.5,
-                            "the highest of such waves, about 1.8 times as high, at a peak");
-        }
+        order.kind = asked.spectrum == "jonswap" ? Sea::Kind::jonswap : Sea::Kind::pierson_moskowitz;
+        order.height = required(wave, "significant_height", asked.significant_height,
+                                "a spectrum needs its significant height", "50 mm");
+        refuse_breaking(wave, "significant_height", order.height, length, order.depth, 0.5,
+                        "the highest of such waves, about 1.8 times as high, at a peak");
     }
-    const double longest = order.kind == Sea::Kind::bichromatic
-                               ? length_of(std::max(order.periods[0], order.periods[1]))
-                               : length_of(order.peak_period);
-    if (longest > longest_depths / 2 * order.depth)
-        wave.fail(size,
-                  fmt::format("waves {:.4g} m long in water {:.4g} m deep; expected at most {:g} depths: longer ones "
-                              "are no sum of linear waves",
-                              longest, order.depth, longest_depths / 2));
-    scene.sea = make_sea(order);
-    check_tank(scene, s, size);
-    if (order.kind != Sea::Kind::focused) return;
-    // where and when, unless it is given: both follow from the zones, which follow from the spectrum
+}
+
+/// Where and when, unless it is given: both follow from the zones, which follow from the spectrum in `scene.sea`.
+void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave) {
+    WaveOptions& asked = scene.wave_asked;
     const WaveScales scales = wave_scales(scene);
     const Box& box = scene.domain.as_asked;  // the same at every resolution
     const double making = 1.5 * scales.longest, absorbing = scales.longest;
@@ -203,6 +189,25 @@ void settle_sea(Scene& scene, Sections& s) {
                         asked.focus_time, asked.components, scene.sea->repeat_period, latest));
     order.focus_place = asked.focus_place;
     order.focus_time = asked.focus_time;
+}
+
+void settle_sea(Scene& scene, Sections& s) {
+    const SceneSection& wave = s.wave;
+    SeaOrder order{.depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
+    order.direction = direction_of(scene, wave);
+    const bool two = scene.wave_asked.spectrum == "bichromatic";
+    (two ? order_two : order_spectrum)(order, scene.wave_asked, wave);
+    const std::string size = two ? "period" : "peak_period";
+    const double longest = length_of(order, two ? std::max(order.periods[0], order.periods[1]) : order.peak_period);
+    if (longest > longest_depths / 2 * order.depth)
+        wave.fail(size,
+                  fmt::format("waves {:.4g} m long in water {:.4g} m deep; expected at most {:g} depths: longer ones "
+                              "are no sum of linear waves",
+                              longest, order.depth, longest_depths / 2));
+    scene.sea = make_sea(order);
+    check_tank(scene, s, size);
+    if (order.kind != Sea::Kind::focused) return;
+    place_focus(order, scene, wave);
     scene.sea = make_sea(order);
 }
 
