@@ -36,6 +36,9 @@ NamedSolid named_solid(const fs::path& file) {
     const std::string text = file.string();
     const auto mark = text.rfind('#');
     if (mark == std::string::npos || fs::exists(file, none)) return {file, {}};
+    // of a folder called so; what is behind it is a solid's name only if a file stands before it
+    if (text.find('/', mark) != std::string::npos && !fs::is_regular_file(text.substr(0, mark), none))
+        return {file, {}};
     return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
