@@ -69,10 +69,14 @@ void add_require_agree(CLI::App& c, bool& agree, const char* help) {
         ->check(CLI::IsMember({"agree"}));
 }
 
+void add_unit_and_axes(CLI::App& c, std::string& unit, std::string& axes) {
+    c.add_option("--unit", unit, "unit of the file: m, mm, cm, ft, in")->type_name("{m,mm,cm,ft,in}");
+    c.add_option("--axes", axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
+}
+
 void add_surface(CLI::App& c, HullCommand& hull) {
     c.add_option("in", hull.in, "STL, OBJ, PLY, VTP, STEP or IGES, also compressed (.gz)")->required();
-    c.add_option("--unit", hull.unit, "unit of the file: m, mm, cm, ft, in")->type_name("{m,mm,cm,ft,in}");
-    c.add_option("--axes", hull.axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
+    add_unit_and_axes(c, hull.unit, hull.axes);
 }
 
 }  // namespace
@@ -136,6 +140,10 @@ void new_options(CLI::App& c, NewCommand& create) {
         ->required()
         ->check(CLI::IsMember(template_names()));
     c.add_option("file", create.file, "scene file to write")->required();
+    c.add_option("--from", create.from,
+                 "with the template body: STEP, OBJ or STL file, each named solid of which becomes a body of the scene")
+        ->type_name("FILE");
+    add_unit_and_axes(c, create.unit, create.axes);
     c.add_flag("--overwrite", create.overwrite, "replace the file if it is there");
 }
 

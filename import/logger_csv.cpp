@@ -78,8 +78,13 @@ std::string bare_unit(std::string_view cell) {
     if (cell.size() > 2 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
     return cell == "Nm" || cell == "N-m" ? "N m" : std::string(cell);
 }
+/// "hh:mm:ss", "HH:MM:SS.fff": how a column of times of day is written; its times become seconds.
+bool is_form_of_clock(const std::string& unit) {
+    return unit.find(':') != std::string::npos && unit.find_first_not_of("hHmMsSfF:.,") == std::string::npos;
+}
 bool is_unit(const std::string& cell) {
     const std::string unit = bare_unit(cell);
+    if (is_form_of_clock(unit)) return true;
     if (unit == "-") return true;
     try {
         return !unit.empty() && (parse_unit(unit), true);

@@ -7,6 +7,8 @@
 #include "app/runs/facts_json.h"
 #include "base/errors.h"
 #include "meshes/generate.h"
+#include "meshes/read/named_solid.h"
+#include "meshes/read/solids_of_file.h"
 #include "meshes/surface.h"
 #include "scene/solids/hull_axes.h"
 #include "text/did_you_mean.h"
@@ -37,6 +39,7 @@ std::string text_of(const HullFacts& f) {
     out +=
         fmt::format("  volume {:.6g} m3, area {:.6g} m2, centroid ({:.6g}, {:.6g}, {:.6g}) m\n  sha256 {}\n",
                     f.mass.volume, f.mass.area, f.mass.centroid.x(), f.mass.centroid.y(), f.mass.centroid.z(), f.hash);
+    if (!f.solids.empty()) out += "  solids by name: " + names_in_words(f.solids) + "\n";
     static constexpr const char* levels[] = {"note", "warning", "error"};
     for (const std::string& r : f.repairs) out += "  repaired: " + r + "\n";
     for (const Finding& finding : f.findings)
@@ -119,6 +122,7 @@ int run_hull(const HullCommand& command, const Common& common) {
     HullFacts facts =
         hull_facts(command.action == "make" ? command.shape : command.in.string(), surface, command.particle_spacing);
     facts.repairs = repairs;
+    if (command.action == "info" && named_solid(command.in).name.empty()) facts.solids = solids_of_file(command.in);
     if (facts.usable) std::ranges::copy(check_axes(surface), std::back_inserter(notes));
     facts.findings.insert(facts.findings.end(), notes.begin(), notes.end());
     if (command.action == "repair" && !facts.usable) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/arguments/output.h"
+#include "app/commands/scene_of_bodies.h"
 #include "app/commands/templates.h"
 #include "base/errors.h"
 
@@ -19,9 +20,16 @@ std::vector<std::string> template_names() {
 int run_new(const NewCommand& command, const Common& common) {
     if (std::filesystem::exists(command.file) && !command.overwrite)
         throw InputError(command.file.string() + ": exists already; choose another name, or --overwrite");
+    if (command.from.empty() && (command.unit != "m" || command.axes != "xyz"))
+        throw InputError("--unit and --axes are those of the file of --from, which is not given");
+    if (!command.from.empty() && command.kind != "body")
+        throw InputError("--from makes the bodies of a scene; expected: twinwake new body " + command.file.string() +
+                         " --from " + command.from.string());
     for (const Template& t : templates()) {
         if (t.name != (command.kind == former_hull ? "hull" : command.kind)) continue;
-        write_file(command.file, std::string(t.text));
+        write_file(command.file, command.from.empty()
+                                     ? std::string(t.text)
+                                     : scene_of_bodies(command.from, command.unit, command.axes, command.file));
         say(common,
             fmt::format("{}: written. Next: twinwake check {}\n", command.file.string(), command.file.string()));
     }

@@ -158,6 +158,7 @@ std::string hull_json(const HullFacts& f) {
                     {"centroid", vec(f.mass.centroid)},
                     {"findings", findings_json(f.findings)},
                     {"repairs", f.repairs},
+                    {"solids", f.solids},
                     {"usable", f.usable}});
 }
 

@@ -25,6 +25,7 @@ struct HullFacts {
     MassProperties mass;
     std::vector<Finding> findings;
     std::vector<std::string> repairs;
+    std::vector<std::vector<std::string>> solids;  ///< the names of each, see meshes/read/named_solid.h
     bool usable = false;
 };
 std::string hull_json(const HullFacts& facts);

@@ -1,21 +1,31 @@
 // Drawings by Open CASCADE: a library of its own, loaded where a drawing is read, because linked into the program Open
 // CASCADE would add a tenth of a second to each of its starts.
+#include <algorithm>
+#include <Bnd_Box.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
-#include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
+#include <cmath>
 #include <IGESControl_Reader.hxx>
-#include <STEPControl_Reader.hxx>
+#include <Interface_Static.hxx>
 #include <Standard_Failure.hxx>
+#include <stdexcept>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
+#include <string>
+#include <TDataStd_Name.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <cmath>
-#include <stdexcept>
-#include <string>
+#include <utility>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 
 #include "meshes/read/cut_drawing.h"
 
@@ -24,16 +34,103 @@ namespace {
 
 constexpr double metres_per_unit = 1e-3;  // Open CASCADE turns every file's unit into millimetres
 
+void open_with(auto& reader, const char* file, const char* kind) {
+    if (reader.ReadFile(file) != IFSelect_RetDone)
+        throw std::runtime_error(std::string("it is no ") + kind + " file, or a damaged one; export the hull again");
+}
+
+constexpr const char* no_shape = "nothing in it can be read as a shape; export the hull as a solid or as surfaces";
+
 template <class Reader>
 TopoDS_Shape shape_in(const char* file, const char* kind) {
     Reader reader;
-    if (reader.ReadFile(file) != IFSelect_RetDone)
-        throw std::runtime_error(std::string("it is no ") + kind + " file, or a damaged one; export the hull again");
+    open_with(reader, file, kind);
     reader.TransferRoots();
     const TopoDS_Shape shape = reader.OneShape();
-    if (shape.IsNull())
-        throw std::runtime_error("nothing in it can be read as a shape; export the hull as a solid or as surfaces");
+    if (shape.IsNull()) throw std::runtime_error(no_shape);
     return shape;
+}
+
+/// A solid where its assembly places it; of a part that has none, all its faces.
+struct PlacedSolid {
+    TopoDS_Shape shape;
+    std::vector<std::string> names;  ///< its own first, then outwards
+};
+
+/// Without what would not fit into a line.
+std::string name_of(const TDF_Label& label) {
+    Handle(TDataStd_Name) name;
+    if (label.IsNull() || !label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+    std::string text(static_cast<std::size_t>(name->Get().LengthOfCString()) + 1, '\0');
+    Standard_PCharacter to = text.data();
+    text.resize(static_cast<std::size_t>(name->Get().ToUTF8CString(to)));
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+    const auto first = text.find_first_not_of(' ');
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// The names with that of `label` before them.
+std::vector<std::string> with_name_of(const TDF_Label& label, std::vector<std::string> names) {
+    if (std::string name = name_of(label); !name.empty() && std::ranges::find(names, name) == names.end())
+        names.insert(names.begin(), std::move(name));
+    return names;
+}
+
+/// The solids below a label: an assembly's parts, each at its place in it, or the solids of a part.
+void add_solids(const Handle(XCAFDoc_ShapeTool) & tool, const TDF_Label& label, const TopLoc_Location& place,
+                const std::vector<std::string>& outer, std::vector<PlacedSolid>& to) {
+    const std::vector<std::string> names = with_name_of(label, outer);
+    if (TDF_Label part; XCAFDoc_ShapeTool::GetReferredShape(label, part))
+        return add_solids(tool, part, place * XCAFDoc_ShapeTool::GetLocation(label), names, to);
+    if (XCAFDoc_ShapeTool::IsAssembly(label)) {
+        TDF_LabelSequence parts;
+        XCAFDoc_ShapeTool::GetComponents(label, parts);
+        for (const TDF_Label& part : parts) add_solids(tool, part, place, names, to);
+        return;
+    }
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    if (shape.IsNull()) return;
+    TopExp_Explorer each(shape, TopAbs_SOLID);
+    if (!each.More()) to.push_back({shape.Moved(place), names});
+    for (; each.More(); each.Next()) {
+        TDF_Label own;
+        tool->FindSubShape(label, each.Current(), own);
+        to.push_back({each.Current().Moved(place), with_name_of(own, names)});
+    }
+}
+
+std::vector<PlacedSolid> solids_in(const char* file) {
+    Handle(TDocStd_Document) document;
+    XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+    STEPCAFControl_Reader reader;
+    Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);  // also those of the solids of one part
+    reader.SetColorMode(false);
+    reader.SetLayerMode(false);
+    reader.SetPropsMode(false);
+    reader.SetGDTMode(false);
+    reader.SetMatMode(false);
+    reader.SetViewMode(false);
+    open_with(reader, file, "STEP");
+    if (!reader.Transfer(document)) throw std::runtime_error(no_shape);
+    const Handle(XCAFDoc_ShapeTool) tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    TDF_LabelSequence roots;
+    tool->GetFreeShapes(roots);
+    std::vector<PlacedSolid> solids;
+    for (const TDF_Label& root : roots) add_solids(tool, root, {}, {}, solids);
+    return solids;
+}
+
+/// Null: no solid has this name.
+TopoDS_Shape solids_called(const std::string& name, const char* file) {
+    BRep_Builder builder;
+    TopoDS_Compound named;
+    for (const PlacedSolid& solid : solids_in(file)) {
+        if (std::ranges::find(solid.names, name) == solid.names.end()) continue;
+        if (named.IsNull()) builder.MakeCompound(named);
+        builder.Add(named, solid.shape);
+    }
+    return named;
 }
 
 int count_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum what) {
@@ -105,16 +202,32 @@ CutDrawing triangles_of(const TopoDS_Shape& drawing, double chord, double turn) 
     return cut;
 }
 
-}  // namespace
-
-extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, CutDrawing* to) {
+/// What Open CASCADE throws is not a std::exception.
+void in_its_words(auto work) {
     try {
-        *to =
-            triangles_of(iges ? shape_in<IGESControl_Reader>(file, "IGES") : shape_in<STEPControl_Reader>(file, "STEP"),
-                         chord, turn);
-    } catch (const Standard_Failure& e) {  // not a std::exception
+        work();
+    } catch (const Standard_Failure& e) {
         throw std::runtime_error(std::string("Open CASCADE says: ") + e.GetMessageString());
     }
+}
+
+}  // namespace
+
+extern "C" void tw_cut_drawing(const char* file, bool iges, double chord, double turn, const char* solid,
+                               CutDrawing* to) {
+    in_its_words([&] {
+        const std::string name = solid;
+        const TopoDS_Shape shape = !name.empty() ? solids_called(name, file)
+                                   : iges        ? shape_in<IGESControl_Reader>(file, "IGES")
+                                                 : shape_in<STEPControl_Reader>(file, "STEP");
+        if (!shape.IsNull()) *to = triangles_of(shape, chord, turn);
+    });
+}
+
+extern "C" void tw_name_solids(const char* file, std::vector<std::vector<std::string>>* to) {
+    in_its_words([&] {
+        for (PlacedSolid& solid : solids_in(file)) to->push_back(std::move(solid.names));
+    });
 }
 
 }  // namespace tw

@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -7,7 +6,7 @@
 
 namespace tw {
 
-/// One body of a file that holds several: "boat.obj#keel" is the body that boat.obj calls keel.
+/// One body of a file that holds several: "boat.step#keel" is the body that boat.step calls keel.
 struct NamedSolid {
     std::filesystem::path file;
     std::string name;  ///< empty: all that is in the file
@@ -15,20 +14,23 @@ struct NamedSolid {
 /// A file whose own name has a # in it is meant where it is there.
 NamedSolid named_solid(const std::filesystem::path& file);
 
-/// The text of an ascii STL or an OBJ file in which all facets but those of the solid `name` are blank, so that lines keep
-/// their numbers. STL: "solid NAME"; OBJ: "o NAME", or "g NAME" where the file has no objects. Throws InputError with the
-/// names that are there.
+/// What a file calls one of its solids: by itself, its part, the place of the part in an assembly, that assembly, and
+/// so on outwards. No name twice; none at all where the file has none for it.
+using SolidNames = std::vector<std::string>;
+
+/// Of the solids of an OBJ file ("o NAME", or "g NAME" where the file has no objects) or of an ascii STL ("solid
+/// NAME"), in their order.
+std::vector<SolidNames> solids_in_obj(std::string_view content);
+std::vector<SolidNames> solids_in_stl(std::string_view content);
+
+/// The text of such a file in which all facets but those of the solids `name` are blank, so that lines keep their
+/// numbers. Throws InputError with the names that are there.
 std::string only_named_in_stl(const std::filesystem::path& file, std::string_view content, const std::string& name);
 std::string only_named_in_obj(const std::filesystem::path& file, std::string_view content, const std::string& name);
-/// "no solid in it is called X; it has: a, b". Here, because the library that reads drawings says it too.
-inline std::string no_such_solid(const std::string& name, const std::vector<std::string>& there) {
-    constexpr std::size_t most = 20;
-    std::string names;
-    for (std::size_t k = 0; k < std::min(most, there.size()); ++k) names += (k > 0 ? ", " : "") + there[k];
-    if (there.size() > most) names += " and " + std::to_string(there.size() - most) + " more";
-    return "no solid in it is called \"" + name + "\"; " +
-           (there.empty() ? "it names none: leave #" + name + " out, or name the bodies before the export"
-                          : "it has: " + names);
-}
+
+/// "boat (3 solids), keel, post (2 solids)": the outermost name of each solid first.
+std::string names_in_words(const std::vector<SolidNames>& solids);
+/// "no solid in it is called X; it has: a, b".
+std::string no_such_solid(const std::string& name, const std::vector<SolidNames>& there);
 
 }  // namespace tw

@@ -6,20 +6,15 @@
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <new>
-#include <optional>
+#include <utility>
 
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "meshes/axis_turn.h"
 #include "meshes/read/cad.h"
 #include "meshes/read/drawing_unit.h"
-#include "meshes/read/gzip.h"
 #include "meshes/read/named_solid.h"
+#include "meshes/read/opened_surface.h"
 #include "meshes/read/ply.h"
 #include "meshes/read/precheck.h"
 #include "meshes/read/stl.h"
@@ -114,23 +109,6 @@ Surface read_vtp(const fs::path& file, const fs::path& readable) {
     }
 }
 
-std::string lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-/// Length of the mark with which editors begin a text in UTF-8, 0 where there is none; UTF-16 is refused. A binary STL may
-/// begin with any bytes.
-std::size_t byte_order_mark(const fs::path& file, const std::string& type, const std::string& content) {
-    if (type == ".stl" && is_binary_stl(content)) return 0;
-    if (content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF"))
-        throw InputError(
-            file.string() +
-            ":1: begins with the byte order mark of UTF-16; expected plain text: save it as UTF-8 or ASCII, "
-            "or export the hull again");
-    return content.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-}
-
 /// The corners that no triangle has, of the file's other solids, left out.
 Surface without_unused_points(Surface surface) {
     std::vector<int> place(surface.points.size(), -1);
@@ -148,63 +126,31 @@ Surface without_unused_points(Surface surface) {
 }
 
 Surface read_by_type(const fs::path& file, std::string_view unit, const std::string& name) {
-    const bool packed = lower_case(file.extension().string()) == ".gz";
-    const std::string type = lower_case((packed ? file.stem() : file.filename()).extension().string());
-    const bool iges = type == ".igs" || type == ".iges", drawing = iges || type == ".stp" || type == ".step";
-    const bool known = drawing || type == ".stl" || type == ".obj" || type == ".ply" || type == ".vtp";
-    if (!known)
-        throw InputError(file.string() +
-                         ": surfaces are read from .stl, .obj, .ply, .vtp, .step and .iges files (also compressed, as "
-                         ".stl.gz), not from \"" +
-                         type + (packed ? ".gz\"" : "\""));
-    std::error_code error;
-    if (!fs::exists(file, error)) throw InputError(file.string() + ": no such file; check the name and the folder");
-    if (!fs::is_regular_file(file, error)) throw InputError(file.string() + ": is not a file");
-    if (drawing && unit != "m")
+    OpenedSurface opened = opened_surface(file);
+    const std::string& type = opened.type;
+    if (opened.drawing() && unit != "m")
         throw InputError(file.string() + ": names its own unit, " + unit_of_drawing(file) + ", and unit = \"" +
                          std::string(unit) + "\" is given beside it; leave the unit out");
-    constexpr std::uintmax_t largest = 4'000'000'000;  // 80 million STL triangles; indices are 32 bit
-    if (fs::file_size(file, error) > largest)
-        throw InputError(file.string() + ": larger than 4 GB; coarsen the surface first");
-    std::string content = read_text(file);
-    if (content.empty()) throw InputError(file.string() + ": the file is empty; export the hull again");
-
-    fs::path readable = file;
-    std::optional<MemoryFile> memory;
-    if (packed) {
-        // Text of surfaces shrinks to a tenth, of very regular ones to a fiftieth; what grows a thousandfold is no
-        // hull.
-        content = unpacked(file, content, std::min<std::size_t>(largest, 200 * content.size() + 1'000'000));
-        if (content.empty()) throw InputError(file.string() + ": nothing is in it; export the hull again");
-        readable = memory.emplace(content).path();
-    }
-    if (const std::size_t mark = byte_order_mark(file, type, content); mark > 0) {
-        content.erase(0, mark);
-        readable = memory.emplace(content).path();
-    }
-    if (!name.empty() && (drawing || type == ".ply" || type == ".vtp" || (type == ".stl" && !is_ascii_stl(content))))
+    if (!name.empty() && !opened.names_solids())
         throw InputError(file.string() +
                          (type == ".stl" ? ": a binary STL file names no solids"
                                          : ": solids are not taken by name from this kind of file") +
-                         "; leave #" + name + " out, or export the bodies as OBJ or ascii STL");
+                         "; leave #" + name + " out, or export the bodies as STEP, OBJ or ascii STL");
+    if (opened.drawing())
+        return welded(from_vtk(file, read_cad(file, opened.readable, opened.iges(), name)), metres_apart_in_drawings);
     if (type == ".obj") {
-        if (!name.empty()) {
-            content = only_named_in_obj(file, content, name);
-            readable = memory.emplace(content).path();
-            check_obj(file, content);
-            return without_unused_points(from_vtk(file, read_obj(file, readable)));
-        }
-        check_obj(file, content);
-        return from_vtk(file, read_obj(file, readable));
+        if (!name.empty()) opened.go_on_with(only_named_in_obj(file, opened.content, name));
+        check_obj(file, opened.content);
+        Surface all = from_vtk(file, read_obj(file, opened.readable));
+        return name.empty() ? all : without_unused_points(std::move(all));
     }
-    if (type == ".ply") { return from_vtk(file, read_ply(file, content)); }
-    if (drawing) return welded(from_vtk(file, read_cad(file, readable, iges)), metres_apart_in_drawings);
+    if (type == ".ply") { return from_vtk(file, read_ply(file, opened.content)); }
     if (type == ".vtp") {
-        check_vtk_xml(file, content, "PolyData");
-        return read_vtp(file, readable);
+        check_vtk_xml(file, opened.content, "PolyData");
+        return read_vtp(file, opened.readable);
     }
-    if (!name.empty()) content = only_named_in_stl(file, content, name);
-    return is_ascii_stl(content) ? read_ascii_stl(file, content) : read_binary_stl(file, content);
+    if (!name.empty()) opened.content = only_named_in_stl(file, opened.content, name);
+    return is_ascii_stl(opened.content) ? read_ascii_stl(file, opened.content) : read_binary_stl(file, opened.content);
 }
 
 }  // namespace

@@ -1,15 +1,15 @@
 # Recipe for Spack (https://spack.readthedocs.io): the particle method, comparisons and reports; with +openfoam also the
-# second method. It names the archive and the checksum that tools/spack_repository.sh puts in, because no release has been
+# second method. It names the archive and the checksum that tools/recipes.sh puts in, because no release has been
 # published: that script packs the checkout's last commit and writes a repository for Spack beside it.
 #
-#   tools/spack_repository.sh ~/twinwake_spack && spack repo add ~/twinwake_spack && spack install twinwake
+#   tools/recipes.sh ~/twinwake_recipes && spack repo add ~/twinwake_recipes/spack && spack install twinwake
 from spack.package import *
 
 
 class Twinwake(CMakePackage):
     """Drag, lift and splash of a hull in water, by two methods side by side: delta-SPH particles and OpenFOAM's interFoam."""
 
-    url = "@ARCHIVE@"
+    url = "file://@FOLDER@/@ARCHIVE@"
 
     license("BSD-3-Clause")
 

@@ -52,7 +52,7 @@ Rows motion_law_keys(const std::string& required, const std::string& who, const 
 Rows solid_keys() {
     return {
         {.name = "file", .kind = Kind::text, .hashed = Hashed::scene, .fallback = "none",
-         .meaning = "Surface file: STL, OBJ, PLY, VTP, STEP or IGES, also compressed as .gz; relative to the scene file. \"boat.obj#keel\" takes the solid that an OBJ or ascii STL file calls keel."},
+         .meaning = "Surface file: STL, OBJ, PLY, VTP, STEP or IGES, also compressed as .gz; relative to the scene file. \"boat.step#keel\" takes the solid that a STEP, OBJ or ascii STL file calls keel."},
         {.name = "shape", .kind = Kind::choice, .choices = shape_names(), .hashed = Hashed::scene,
          .fallback = "none",
          .meaning = "Parametric shape instead of a file; its parameters are further keys, see \"Shapes\"."},

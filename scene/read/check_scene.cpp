@@ -24,14 +24,12 @@ void check_health(HullOptions& o, double particle_spacing, SceneSection& s) {
         hull.surface = posed(o.as_read, o.pose);
         hull.findings = check_surface(o.as_read, particle_spacing);
     }
-    for (const Finding& f : hull.findings)
-        if (f.level == Finding::Level::error)
-            s.fail(o.key, fmt::format("{}: {}{}", f.name, f.message,
-                                      o.repair     ? " (repair = true could not repair it)"
-                                      : f.mendable ? "; repair = true repairs it"
-                                                   : ""));
+    refuse_unsound(hull.findings, s, hull.source, o.key, [&](const Finding& f) {
+        return o.repair ? " (repair = true could not repair it)" : f.mendable ? "; repair = true repairs it" : "";
+    });
     for (const std::vector<Finding>& more : {o.notes, check_axes(o.as_read)})
         hull.findings.insert(hull.findings.end(), more.begin(), more.end());
+    if (const auto solids = solids_note(hull.findings, s, hull.source)) hull.findings.push_back(*solids);
 }
 
 namespace {

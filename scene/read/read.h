@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -87,7 +88,18 @@ Eigen::Matrix3d turn_of(const Pose& pose);
 /// parameters. `source`: that file or shape as written; `key`: which of the two it was.
 Surface read_solid(SceneSection& s, std::string& source, std::string& key);
 /// The same, refused where it is not closed or not sound: of what has no `repair` of its own.
-Surface read_sound_solid(SceneSection& s, std::string& source, std::string& key);
+struct SoundSolid {
+    Surface surface;
+    std::optional<Finding> note;  ///< as solids_note
+};
+SoundSolid read_sound_solid(SceneSection& s, std::string& source, std::string& key);
+/// Throws InputError with the first error among the findings, `remedy` of it, and the names of the file's solids where
+/// it has several.
+void refuse_unsound(const std::vector<Finding>& findings, const SceneSection& s, const std::string& source,
+                    const std::string& key, const std::function<std::string(const Finding&)>& remedy);
+/// Of a surface with several shells: the names of the solids that its file has.
+std::optional<Finding> solids_note(const std::vector<Finding>& findings, const SceneSection& s,
+                                   const std::string& source);
 // What of a body is not read by its slots: of a rigid one, an elastic plate, an elastic tyre (with its surface as it
 // stands at the start, blown up).
 void read_body(SceneSection& s, MovingBody& b, int dimensions);

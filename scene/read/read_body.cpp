@@ -80,7 +80,8 @@ void read_body(SceneSection& s, MovingBody& b, int dimensions) {
                                   fmt::format("{} of body {}: {}", angle_key, b.name, why), Vec3::Zero()});
     if (const auto position = s.numbers("position")) pose.position = {(*position)[0], (*position)[1], 0};
     std::string key;
-    const Surface as_read = read_sound_solid(s, b.source, key);
+    const auto [as_read, note] = read_sound_solid(s, b.source, key);
+    if (note) b.findings.push_back(*note);
     pose.draft = s.number("draft").value_or(-as_read.bounds().min.z());
     b.surface = posed(as_read, pose);
     if (flat) try {

@@ -9,6 +9,7 @@
 #include "meshes/generate.h"
 #include "meshes/read/drawing_unit.h"
 #include "meshes/read/named_solid.h"
+#include "meshes/read/solids_of_file.h"
 #include "meshes/surface.h"
 #include "scene/read/read.h"
 #include "scene/solids/hull_axes.h"
@@ -17,16 +18,34 @@ namespace tw {
 namespace {
 constexpr double least_draft = 0.01;  // of the hull's height: with less its file has the keel at z = 0
 
+/// A file of the command line is where the user stands, one of the scene beside the scene.
+std::filesystem::path path_of(const SceneSection& s, const std::string& source) {
+    return s.from_option("file") ? std::filesystem::path(source) : s.file().parent_path() / source;
+}
+
 /// Of a drawing: the unit that it was read in.
 std::optional<Finding> unit_note(const SceneSection& s, const std::string& source) {
     if (!s.has("file")) return {};
-    const std::filesystem::path path =
-        named_solid(s.from_option("file") ? std::filesystem::path(source) : s.file().parent_path() / source).file;
+    const std::filesystem::path path = named_solid(path_of(s, source)).file;
     if (!is_drawing(path)) return {};
     return Finding{
         Finding::Level::note, "drawing_unit",
         fmt::format("the drawing {} is in {}, by its own header", path.filename().string(), unit_of_drawing(path)),
         Vec3::Zero()};
+}
+
+/// Of a file that is taken as a whole and names several bodies: which these are.
+std::optional<Finding> solids_of_source(const SceneSection& s, const std::string& source) {
+    if (!s.has("file")) return {};
+    const auto [file, name] = named_solid(path_of(s, source));
+    if (!name.empty()) return {};
+    const std::vector<SolidNames> solids = solids_of_file(file);
+    const std::vector<std::string> bodies = names_of_bodies(solids);
+    if (bodies.size() < 2) return {};
+    return Finding{Finding::Level::note, "several_solids",
+                   fmt::format("{} names several solids, which are taken together: {}; file = \"{}#{}\" takes one",
+                               file.filename().string(), names_in_words(solids), source, bodies.front()),
+                   Vec3::Zero()};
 }
 
 }  // namespace
@@ -52,9 +71,7 @@ Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
     source = file ? *file : *shape;
     try {
         if (file) {
-            // A file of the command line is where the user stands, one of the scene beside the scene.
-            const std::filesystem::path path =
-                s.from_option("file") ? std::filesystem::path(*file) : scene_file.parent_path() / *file;
+            const std::filesystem::path path = path_of(s, *file);
             const std::filesystem::path whole = named_solid(path).file;  // of file#solid
             if (!std::filesystem::exists(whole)) s.fail("file", fmt::format("there is no file {}", whole.string()));
             if (unit_given && is_drawing(whole))
@@ -77,12 +94,28 @@ Surface read_solid(SceneSection& s, std::string& source, std::string& key) {
     }
 }
 
-Surface read_sound_solid(SceneSection& s, std::string& source, std::string& key) {
-    Surface solid = read_solid(s, source, key);
-    for (const Finding& f : check_surface(solid))
-        if (f.level == Finding::Level::error)
-            s.fail(key, fmt::format("{}: {}{}", f.name, f.message,
-                                    f.mendable ? "; \"twinwake hull repair FILE NEW.stl\" repairs it" : ""));
+void refuse_unsound(const std::vector<Finding>& findings, const SceneSection& s, const std::string& source,
+                    const std::string& key, const std::function<std::string(const Finding&)>& remedy) {
+    for (const Finding& f : findings) {
+        if (f.level != Finding::Level::error) continue;
+        const auto solids = solids_of_source(s, source);
+        s.fail(key, fmt::format("{}: {}{}{}", f.name, f.message, remedy(f), solids ? "; " + solids->message : ""));
+    }
+}
+
+std::optional<Finding> solids_note(const std::vector<Finding>& findings, const SceneSection& s,
+                                   const std::string& source) {
+    const bool several = std::ranges::find(findings, "several_shells", &Finding::name) != findings.end();
+    return several ? solids_of_source(s, source) : std::nullopt;
+}
+
+SoundSolid read_sound_solid(SceneSection& s, std::string& source, std::string& key) {
+    SoundSolid solid{read_solid(s, source, key), {}};
+    const std::vector<Finding> findings = check_surface(solid.surface);
+    refuse_unsound(findings, s, source, key, [](const Finding& f) {
+        return f.mendable ? "; \"twinwake hull repair FILE NEW.stl\" repairs it" : "";
+    });
+    solid.note = solids_note(findings, s, source);
     return solid;
 }
 
@@ -136,7 +169,7 @@ Obstacle read_obstacle(SceneSection& s, std::size_t number) {
         o.surface = box_surface(box);
     } else {
         std::string source, key;
-        o.surface = read_sound_solid(s, source, key);
+        o.surface = read_sound_solid(s, source, key).surface;
         const Vec3 position = s.vector("position").value_or(Vec3::Zero());
         for (Vec3& p : o.surface.points) p += position;
     }

@@ -1,5 +1,10 @@
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "base/vec3.h"
 #include "program.h"
 
 namespace tw::test {
@@ -15,6 +20,53 @@ TEST_F(Command, AHullIsMadeInspectedAndConverted) {
     EXPECT_NE(twinwake({"hull", "info", "small.stl"}).out.find("volume 1e-09 m3"), std::string::npos);
     EXPECT_EQ(twinwake({"hull", "convert", "box.stl", "box.obj"}).status, 2);
     EXPECT_EQ(files(), (std::set<std::string>{"box.stl", "small.stl"}));
+}
+
+/// The box from `low` to `high`, quadrilaterals turned outward, as an object of an OBJ file; `before`: corners of others.
+std::string obj_box(const std::string& name, const Vec3& low, const Vec3& high, int before) {
+    std::string text = "o " + name + "\n";
+    for (int k = 0; k < 8; ++k)
+        text +=
+            fmt::format("v {} {} {}\n", (k & 1 ? high : low).x(), (k & 2 ? high : low).y(), (k & 4 ? high : low).z());
+    constexpr int faces[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+    for (const auto& f : faces)
+        text += fmt::format("f {} {} {} {}\n", before + f[0], before + f[1], before + f[2], before + f[3]);
+    return text;
+}
+
+TEST_F(Command, BodiesOfOneFileAreListedTakenAndMadeASceneOf) {
+    fs::create_directories(folder_ / "cad");
+    write("cad/logs.obj",
+          obj_box("Log 1", {0, 0, -50}, {1000, 200, 150}, 0) + obj_box("Log #2", {0, 500, -50}, {800, 700, 150}, 8));
+    const Outcome info = twinwake({"hull", "info", "cad/logs.obj", "--unit", "mm"});
+    EXPECT_NE(info.out.find("  solids by name: Log 1, Log #2\n"), std::string::npos) << info.out;
+    EXPECT_NE(twinwake({"hull", "info", "cad/logs.obj#Log #2", "--unit", "mm"}).out.find("0.8 x 0.2 x 0.2 m"),
+              std::string::npos);
+
+    EXPECT_EQ(twinwake({"new", "body", "logs.toml", "--from", "cad/logs.obj", "--unit", "mm"}).status, 0);
+    const std::string scene = content(folder_ / "logs.toml");
+    EXPECT_NE(scene.find("name    = \"Log_2\"\nfile    = \"cad/logs.obj#Log #2\"\nunit    = \"mm\"\n"),
+              std::string::npos)
+        << scene;
+    const Outcome check = twinwake({"check", "logs.toml"});
+    EXPECT_EQ(check.status, 0) << check.err;
+    EXPECT_NE(check.out.find("Log_1"), std::string::npos) << check.out;
+
+    // As one body: check says what it is made of.
+    write("raft.toml",
+          "[tank]\nmin = [-1, -1, -1]\nmax = [2, 2, 1]\n[[body]]\nfile = \"cad/logs.obj\"\nunit = \"mm\"\n"
+          "density = 500\n[motion]\nkind = \"none\"\n[resolution]\nnear_hull = 0.05\n[run]\nduration = 1\n");
+    const Outcome raft = twinwake({"check", "raft.toml"});
+    EXPECT_NE(raft.out.find("logs.obj names several solids, which are taken together: Log 1, Log #2; file = "
+                            "\"cad/logs.obj#Log 1\" takes one"),
+              std::string::npos)
+        << raft.out << raft.err;
+
+    EXPECT_NE(twinwake({"new", "tank", "a.toml", "--from", "cad/logs.obj"}).err.find("twinwake new body a.toml --from"),
+              std::string::npos);
+    EXPECT_EQ(twinwake({"new", "body", "a.toml", "--unit", "mm"}).status, 2);
+    EXPECT_EQ(twinwake({"new", "body", "a.toml", "--from", "none.step"}).status, 2);
+    EXPECT_EQ(files(), (std::set<std::string>{"cad", "cad/logs.obj", "logs.toml", "raft.toml"}));
 }
 
 TEST_F(Command, WrongHullArgumentsNameTheKnownOnes) {

@@ -48,7 +48,7 @@ def coarse(words, both):
     if "--near-hull" in words:
         words[words.index("--near-hull") + 1] = COARSE.strip('"')
     if "--budget" in words:
-        words[words.index("--budget") + 1] = "1 h" if both else "2 s"
+        words[words.index("--budget") + 1] = "1 min" if both else "2 s"
     return words
 
 

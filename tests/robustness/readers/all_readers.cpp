@@ -23,6 +23,7 @@
 #include "foam_cases/read/step_loads.h"
 #include "import/readers.h"
 #include "meshes/read/gzip.h"
+#include "meshes/read/solids_of_file.h"
 #include "meshes/surface.h"
 #include "record/checksum_line.h"
 #include "record/run_record.h"
@@ -214,6 +215,7 @@ void read_told(const Input& in) {
 std::vector<Reader> with_drawings(std::vector<Reader> all) {
     if (fs::exists(fs::path(TWINWAKE_PROGRAM).parent_path() / "meshes/libtwinwake_drawings.so")) {
         all.push_back({"step", [](const Input& in) { read_surface(in.file("hull.step")); }});
+        all.push_back({"step_names", [](const Input& in) { solids_of_file(in.file("hull.step")); }});
         all.push_back({"iges", [](const Input& in) { read_surface(in.file("hull.igs")); }});
     }
     return all;

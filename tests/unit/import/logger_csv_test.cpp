@@ -54,6 +54,7 @@ TEST_F(LoggerCsv, ATableIsFoundHoweverItIsWritten) {
                     "",
                     in_seconds);                                                                 // lines above
     expect_the_rows("t;Drag;Lift\n12:00:00;250;2,5\n12:00:00,5;260;2,6\n12:00:01;1270;2,75\n");  // clock
+    expect_the_rows("t;Drag;Lift\nhh:mm:ss;N;kN\n12:00:00;250;2,5\n12:00:00,5;260;2,6\n12:00:01;1270;2,75\n");
     expect_the_rows(
         "t,Drag,Lift\n2024-05-01 23:59:59.5,250,2.5\n2024-05-02 00:00:00.0,260,2.6\n"
         "2024-05-02 00:00:00.5,1270,2.75\n");  // past midnight

@@ -11,6 +11,7 @@
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
 #include "meshes/read/cad.h"
+#include "meshes/read/solids_of_file.h"
 #include "meshes/surface.h"
 #include "test_paths.h"
 #include "tests/unit/meshes/gzipped.h"
@@ -105,10 +106,73 @@ TEST(ADrawing, ThatThisProgramCannotReadSaysWhatToInstall) {
     }
 }
 
-TEST_F(Drawings, ASolidByItsNameIsRefusedInWords) {
-    EXPECT_NE(
-        complaint((drawings / "two_boxes_inch.step").string() + "#keel").find("export the bodies as OBJ or ascii STL"),
-        std::string::npos);
+void expect_box(const Surface& s, const Vec3& low, const Vec3& high) {
+    EXPECT_LT((s.bounds().min - low).norm() + (s.bounds().max - high).norm(), 1e-9)
+        << s.bounds().min.transpose() << " to " << s.bounds().max.transpose();
+}
+double volume_of(const Surface& s) { return mass_properties(s).volume; }
+
+TEST_F(Drawings, NameTheirSolidsFromTheInsideOut) {
+    const std::vector<SolidNames> expected{{"Quay wall", "Pier", "Harbour"},
+                                           {"Post", "left post", "Pier", "Harbour"},
+                                           {"Post", "right post", "Pier", "Harbour"},
+                                           {"Boot äö #1", "Boot", "Harbour"},
+                                           {"keel fin", "Boot äö #1", "Boot", "Harbour"}};
+    EXPECT_EQ(solids_of_file(drawings / "harbour.step"), expected);
+    EXPECT_EQ(solids_of_file(written("harbour.stp.gz", gzipped(read_text(drawings / "harbour.step")))), expected);
+    EXPECT_EQ(names_of_bodies(expected),
+              (std::vector<std::string>{"Quay wall", "left post", "right post", "Boot äö #1", "keel fin"}));
+    EXPECT_EQ(names_of_bodies({{"twin"}, {}, {"twin"}}), std::vector<std::string>{"twin"});
+    EXPECT_EQ(solids_of_file(drawings / "cylinder.igs"), std::vector<SolidNames>{});
+}
+
+TEST_F(Drawings, GiveASolidByItsNameWhereItsAssembliesPlaceIt) {
+    const std::string harbour = (drawings / "harbour.step").string();
+    // The pier is turned by 90 degrees about z and stands at x = 10 m; the wall lies on it 0.5 m high.
+    expect_box(read_surface(harbour + "#Quay wall"), {9.8, 0, 0.5}, {10, 1, 0.6});
+    expect_box(read_surface(harbour + "#left post"), {9.85, 0, 0}, {9.95, 0.1, 0.5});
+    expect_box(read_surface(harbour + "#right post"), {9.85, 0.9, 0}, {9.95, 1, 0.5});
+    expect_box(read_surface(harbour + "#keel fin"), {0.1, 3, -0.2}, {0.15, 3.02, 0});
+    const Surface posts = read_surface(harbour + "#Post");  // a part that is used twice
+    expect_box(posts, {9.85, 0, 0}, {9.95, 1, 0.5});
+    EXPECT_NEAR(volume_of(posts), 2 * 0.1 * 0.1 * 0.5, 1e-9);
+    EXPECT_NEAR(volume_of(read_surface(harbour + "#Pier")), 0.02 + 0.01, 1e-9);
+    EXPECT_NEAR(volume_of(read_surface(harbour + "#Boot äö #1")), 0.003 + 0.0002, 1e-9);
+    for (const char* name : {"Quay wall", "left post", "keel fin"})
+        EXPECT_TRUE(usable(check_surface(read_surface(harbour + "#" + name)))) << name;
+}
+
+TEST_F(Drawings, GiveASolidByItsNameInInchesToo) {
+    std::string text = read_text(drawings / "two_boxes_inch.step");
+    for (const auto& [part, name] : {std::pair{"7.6 2.1", R"(K\X2\00FC\X0\bel ''a'')"}, {"7.6 2.2", "fin"}}) {
+        const std::string from = std::string("\n  'Open CASCADE STEP translator ") + part + "'";  // behind the number
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos);
+        text.replace(at, from.size(), std::string("'") + name + "'");
+    }
+    const std::string file = written("boxes.step", text).string();
+    expect_box(read_surface(file + "#Kübel 'a'"), {0, 0, 0}, {0.254, 0.508, 0.762});
+    expect_box(read_surface(file + "#fin"), {2.54, 0, 0}, {2.794, 0.508, 0.762});
+}
+
+TEST_F(Drawings, OfFacesAloneGiveAPartByItsName) {
+    const std::string file = (drawings / "cylinder_faces.step").string();
+    expect_the_cylinder(read_surface(file + "#" + solids_of_file(file).front().back()));
+}
+
+TEST_F(Drawings, SayWhichNamesTheyHaveAndHowOften) {
+    const std::string harbour = (drawings / "harbour.step").string();
+    EXPECT_NE(complaint(harbour + "#rudder")
+                  .find("harbour.step: no solid in it is called \"rudder\"; it has: Harbour (5 solids), Pier (3 "
+                        "solids), Quay wall, "
+                        "left post, Post (2 solids), right post, Boot (2 solids), Boot äö #1 (2 solids), keel fin"),
+              std::string::npos)
+        << complaint(harbour + "#rudder");
+    EXPECT_NE(complaint(harbour + "#").find("expected the name of a solid"), std::string::npos);
+    EXPECT_NE(complaint((drawings / "cylinder.igs").string() + "#keel").find("export the bodies as STEP, OBJ"),
+              std::string::npos);
+    const std::string cut = written("cut.step", read_text(harbour).substr(0, 20000)).string();
+    EXPECT_TRUE(complaint(cut + "#Post").starts_with(cut + ": ")) << complaint(cut + "#Post");
 }
 
 }  // namespace cad_test

@@ -16,6 +16,7 @@
 #include "meshes/generate.h"
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
+#include "meshes/read/solids_of_file.h"
 #include "meshes/surface.h"
 #include "tests/unit/meshes/gzipped.h"
 
@@ -220,11 +221,16 @@ TEST_F(ReadWrite, OneOfSeveralSolidsIsTakenByItsName) {
         EXPECT_NE(complaint(file + "#rudder").find("called \"rudder\"; it has: keel, Left fin"), std::string::npos)
             << complaint(file + "#rudder");
         EXPECT_NE(complaint(file + "#").find("expected the name of a solid"), std::string::npos);
+        EXPECT_EQ(solids_of_file(folder / file), (std::vector<SolidNames>{{"keel"}, {"Left fin"}}));
     }
     std::ofstream(folder / "a#b.stl") << stl;  // a file's own name may have the sign
     EXPECT_EQ(complaint("a#b.stl"), "");
     EXPECT_NEAR(volume_of("a#b.stl#keel"), 1.0 / 6, 1e-7);
+    stl.replace(stl.find("Left fin"), 8, "fin #2");  // and so may a solid's
+    std::ofstream(folder / "fins.stl") << stl;
+    EXPECT_NEAR(volume_of("fins.stl#fin #2"), 8.0 / 6, 1e-7);
     write_stl(folder / "binary.stl", hull);
+    EXPECT_EQ(solids_of_file(folder / "binary.stl"), std::vector<SolidNames>{});
     EXPECT_NE(complaint("binary.stl#keel").find("names no solids"), std::string::npos);
     EXPECT_NE(complaint("none.stl#keel").find("none.stl: no such file"), std::string::npos);
 }
