@@ -44,8 +44,7 @@ void count_size(const Comm& ranks, const Level& level) {
 }
 
 void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
-    SphSetup setup = sph_setup(scene, threads);
-    setup.simulation.ranks = &ranks;
+    const SphSetup setup = sph_setup(scene, threads, ranks);
     Simulation simulation(setup.simulation, setup.fluid);
     if (setup.control_volume) simulation.set_control_volume(*setup.control_volume);
     for (int k = 0; k < 20; ++k) simulation.step();  // the columns are divided by their pairs by then

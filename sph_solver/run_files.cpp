@@ -40,7 +40,7 @@ void RunFiles::write_here(RunOutput& output) {
     if (output.checkpoint) write_checkpoint(checkpoint_, run_hash_, *std::exchange(output.checkpoint, {}));
 }
 
-std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash) {
+std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash, bool with_particles) {
     const fs::path &record_file = files.record(), &checkpoint_file = files.checkpoint();
     EarlierRun run;
     if (fs::exists(record_file)) {
@@ -51,7 +51,7 @@ std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& 
                              "with --overwrite");
         if (!fs::exists(checkpoint_file) && run.record.state != "finished") return {};
     }
-    run.checkpoint = read_checkpoint(checkpoint_file, run_hash);
+    run.checkpoint = read_checkpoint(checkpoint_file, run_hash, with_particles);
     const double time = run.checkpoint.levels.front().state.time;
     const std::vector<double>& frames = run.record.table("samples").time;
     if (frames.empty() || frames.back() < time)

@@ -57,8 +57,8 @@ struct EarlierRun {
     Checkpoint checkpoint;
 };
 
-/// Nothing: the run was stopped before its first checkpoint and begins again. Throws InputError naming the file that is
+/// `with_particles`: as read_checkpoint has it. Nothing: the run was stopped before its first checkpoint and begins again. Throws InputError naming the file that is
 /// missing, of another scene, or ends too early.
-std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash);
+std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash, bool with_particles);
 
 }  // namespace tw

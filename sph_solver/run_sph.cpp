@@ -113,7 +113,7 @@ private:
             RunRecord before = read_record(files_.record());
             if (before.attributes["run_hash"] == hash_ && is_complete(scene_, before)) return before;
         }
-        earlier_ = earlier_run(files_, hash_);
+        earlier_ = earlier_run(files_, hash_, ranks_.first());
         return {};
     }
 
@@ -122,14 +122,15 @@ private:
         std::optional<ControlVolume> control_volume;
         {
             const PhaseTimer timer(fresh, "particles");
-            SphSetup setup = sph_setup(scene_, threads_);
-            if (ranks_.many()) setup.simulation.ranks = &ranks_;
+            SphSetup setup = sph_setup(scene_, threads_, ranks_);
             // the same pair loops as before, and on all ranks: others may give other last digits
             const std::string isa = ranks_.told_by(0, earlier_         ? earlier_->checkpoint.isa
                                                       : on_gpu_        ? passes_beside_gpu().isa
                                                       : ranks_.first() ? choose_passes().isa
                                                                        : "");
-            ranks_.together([&] { simulation_.emplace(setup.simulation, setup.fluid, passes(isa.c_str())); });
+            const Passes* of_all = nullptr;
+            ranks_.together([&] { of_all = &passes(isa.c_str()); });
+            simulation_.emplace(setup.simulation, setup.fluid, *of_all);
             if (setup.air) add_air(*simulation_, setup.air->options, setup.air->fluid);
             control_volume = std::move(setup.control_volume);
             if (setup.pressure_iterations > 0) fresh.numbers["start_pressure_iterations"] = setup.pressure_iterations;

@@ -170,11 +170,33 @@ void begin_with_wave(const Scene& scene, std::vector<Fluid>& fluids) {
     }
 }
 
+/// All particles, where they are at the start.
+void place_particles(const Scene& scene, const std::vector<Box>& blocks, SphSetup& setup) {
+    const SimulationSetup& s = setup.simulation;
+    setup.fluid = fill_levels(s, blocks);
+    fit_to_solids(s, blocks, setup.fluid);
+    setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
+    if (scene.has_wave()) begin_with_wave(scene, setup.fluid);
+    if (setup.air) setup.air->fluid = fill_with_air(s, blocks);
+    if (setup.fluid.front().places.empty())
+        throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +
+                         " m is too coarse for the water");
+}
+
+/// What all ranks know of those.
+void tell_of_particles(const Comm& ranks, SphSetup& setup) {
+    setup.fluid.resize(setup.simulation.zones.size() + 1);
+    for (Fluid& fluid : setup.fluid) ranks.take_from_owners(std::span(&fluid.volume, 1));
+    if (setup.air) ranks.take_from_owners(std::span(&setup.air->fluid.volume, 1));
+    setup.pressure_iterations = ranks.sum(setup.pressure_iterations);
+}
+
 }  // namespace
 
-SphSetup sph_setup(const Scene& scene, int threads) {
+SphSetup sph_setup(const Scene& scene, int threads, const Comm& ranks) {
     SphSetup setup;
     SimulationSetup& s = setup.simulation;
+    if (ranks.many()) s.ranks = &ranks;
     s.dimensions = scene.domain.dimensions;
     s.dp = finest_spacing(scene);
     s.h_over_dp = scene.sph.h_over_dp;
@@ -275,20 +297,14 @@ SphSetup sph_setup(const Scene& scene, int threads) {
     }
     if (scene.motion.kind == Motion::Kind::none && !scene.tank_motion && !scene.hull && scene.bodies.empty())
         s.packing = Packing::k;
-    setup.fluid = fill_levels(s, blocks);
-    fit_to_solids(s, blocks, setup.fluid);
-    setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
-    if (scene.has_wave()) begin_with_wave(scene, setup.fluid);
     if (scene.effect_on("air")) {
-        AirOptions air;
+        AirOptions& air = setup.air.emplace().options;
         air.density = scene.water.air_density;
         air.sound_speed = scene.sph.air_c0;
-        setup.air = {air, fill_with_air(s, blocks)};
         setup.control_volume.reset();  // it balances the water alone
     }
-    if (setup.fluid.front().places.empty())
-        throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +
-                         " m is too coarse for the water");
+    ranks.on_first([&] { place_particles(scene, blocks, setup); });
+    tell_of_particles(ranks, setup);
     return setup;
 }
 

@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 #include "sph_solver/air.h"
 #include "sph_solver/levels/control_volume.h"
+#include "sph_solver/parallel/comm.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -21,7 +22,8 @@ struct SphSetup {
     std::optional<ControlVolume> control_volume;  ///< round the hull, clear of it and inside the water's sides
 };
 
-/// Throws InputError where no water particle fits into the domain.
-SphSetup sph_setup(const Scene& scene, int threads);
+/// Of several ranks, which all call it, the first one has the particles. Throws InputError where no water particle fits
+/// into the domain.
+SphSetup sph_setup(const Scene& scene, int threads, const Comm& ranks = Comm::alone());
 
 }  // namespace tw

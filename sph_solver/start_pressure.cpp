@@ -4,6 +4,8 @@
 #include <cmath>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <utility>
+#include <vector>
 
 #include "scene/water/water_grid.h"
 
@@ -65,14 +67,20 @@ public:
 private:
     double phi(std::int32_t cell) const { return phi_[row_[std::size_t(cell)]]; }
 
+    /// The matrix is written row by row, each with its columns in ascending order: a list of all entries would take more
+    /// memory than the matrix.
     void solve() {
         const auto n = static_cast<std::int32_t>(who_.size());
-        std::vector<Eigen::Triplet<double>> entries;
-        Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n), given = Eigen::VectorXd::Zero(n);
+        Eigen::SparseMatrix<double, Eigen::RowMajor> laplace(n, n);
+        laplace.reserve(7 * std::ptrdiff_t{n});
+        std::vector<std::pair<std::int32_t, double>> row;
+        Eigen::VectorXd given = Eigen::VectorXd::Zero(n);
         double highest = -1e300;
         for (std::int32_t i = 0; i < n; ++i) {
             const Cell& c = grid_.cells()[who_[std::size_t(i)]];
             const Vec3 size = grid_.size(c);
+            double diagonal = 0;
+            row.clear();
             for (int a = 0; a < 3; ++a)
                 for (std::size_t side = 0; side < 2; ++side) {
                     const Face kind = c.face[std::size_t(a)][side];
@@ -83,19 +91,21 @@ private:
                     if (kind == Face::open) {
                         const std::int32_t beside = c.beside[std::size_t(a)][side];
                         distance += grid_.size(grid_.cells()[std::size_t(beside)])[a] / 2;
-                        entries.emplace_back(i, row_[std::size_t(beside)], -area / distance);
+                        row.emplace_back(row_[std::size_t(beside)], -area / distance);
                     } else {
                         const double there = -force_.even.dot(face);
                         given[i] += area / distance * there;
                         highest = std::max(highest, there);
                     }
-                    diagonal[i] += area / distance;
+                    diagonal += area / distance;
                     given[i] -= area * outwards * (force_.turning * (face - force_.pivot))[a];
                 }
+            row.emplace_back(i, diagonal);
+            std::ranges::sort(row);
+            laplace.startVec(i);
+            for (const auto& [column, value] : row) laplace.insertBack(i, column) = value;
         }
-        for (std::int32_t i = 0; i < n; ++i) entries.emplace_back(i, i, diagonal[i]);
-        Eigen::SparseMatrix<double, Eigen::RowMajor> laplace(n, n);
-        laplace.setFromTriplets(entries.begin(), entries.end());
+        laplace.finalize();
         Eigen::ConjugateGradient<decltype(laplace), Eigen::Lower | Eigen::Upper> solver(laplace);
         solver.setTolerance(1e-7);
         phi_ = solver.solveWithGuess(given, Eigen::VectorXd::Constant(n, highest));

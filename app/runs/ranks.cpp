@@ -145,8 +145,9 @@ RanksTake ranks_take(const PlannedRun& plan, int option) {
     take.bytes = raster + (cost.bytes - raster) * (take.particles + take.copies) / all;
     take.seconds = cost.seconds * largest_work / work + talk * cost.steps / steps;
     take.line = fmt::format(
-        "ranks: {}; the largest has {} particles of its own and {} copies, {:.3g} MB, and all particles while it "
-        "starts, {:.3g} MB; {}\n",
+        "ranks: {}; the largest has {} particles of its own and {} copies, {:.3g} MB; the first has all particles "
+        "while "
+        "it starts, {:.3g} MB; {}\n",
         take.ranks, plain_number(take.particles), plain_number(take.copies), take.bytes / 1e6,
         take.bytes_at_start / 1e6, about_text(take.seconds));
     return take;

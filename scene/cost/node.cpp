@@ -19,7 +19,7 @@ namespace tw {
 
 namespace {
 
-constexpr double bytes_of_start = 85;  // of each particle, on each of several ranks; a prism at beam/20
+constexpr double bytes_of_start = 85;  // of each particle, on the first of several ranks; a prism at beam/20
 
 /// The first of these keys that the scene gives; else what their defaults follow from, its hull or tank.
 std::string given_of(const Scene& scene, std::vector<std::string> keys) {
@@ -40,7 +40,7 @@ std::string key_of_domain(const Scene& scene) {
     return given_of(scene, keys[static_cast<std::size_t>(longest)]);
 }
 
-/// Whether ranks share the run; each then has all particles while it starts.
+/// Whether ranks share the run; the first one then has all particles while it starts.
 bool is_shared(const Scene& scene, const MethodCost& cost) {
     return scene.run.ranks > 1 && elements_of(cost.method) == "particles";
 }
@@ -122,7 +122,8 @@ void refuse_too_many_samples(const Scene& scene, const Prediction& p, const Node
 double bytes_on(const Node& node, const Scene& scene, const MethodCost& cost, double raster_bytes) {
     const double whole = cost.bytes - raster_bytes;
     if (!is_shared(scene, cost)) return whole;
-    return node.ranks * std::max(whole / scene.run.ranks, cost.most * bytes_of_start);
+    const double each = whole / scene.run.ranks, first = std::max(each, cost.most * bytes_of_start);
+    return first + (node.ranks - 1) * each;
 }
 
 void refuse_oversize(const Scene& scene, const Prediction& p, const Node& node) {

@@ -12,7 +12,8 @@ struct Node {
     int ranks = 1;                                    ///< how many of those that share the particles are there
 };
 
-/// What a run, or the ranks of it that a node holds, need there but for the raster, which the first rank alone has [bytes].
+/// What a run, or the ranks of it that a node holds, need there but for the raster, which the first rank alone has
+/// [bytes]. The first rank is taken to be one of them.
 double bytes_on(const Node& node, const Scene& scene, const MethodCost& cost, double raster_bytes);
 
 inline constexpr double longest_run = 30 * 86400.0;  ///< [s]

@@ -37,7 +37,8 @@ struct LevelSetup {
     double largest_compression = largest_density_deviation, largest_rarefaction = largest_density_deviation;
 };
 
-/// Initial particles: places and depth below the surface of their block [m].
+/// Initial particles: places and depth below the surface of their block [m]. Of several ranks the first one has them,
+/// and the others know the volume alone.
 struct Fluid {
     std::vector<Vec3> places;
     std::vector<double> depth;

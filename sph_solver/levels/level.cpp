@@ -217,7 +217,7 @@ void Level::restore(const State& s, Particles particles) {
     system_.ledger = s.ledger, system_.extremes = s.extremes;
     particles.bring_all_of(system_.particles);  // what is not saved is made anew where it is asked for
     system_.particles = std::move(particles);
-    share_.begin_whole();
+    share_.begin_on_first();
     steps_->note_changed_state();
     start_anew();
 }
@@ -239,13 +239,6 @@ void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
     share_.let_go(gone);
     share_.take_out(static_cast<std::int64_t>(ids.size()));
     start_anew();
-}
-
-void Level::share_out() {
-    if (!share_.is_whole()) return;
-    home();
-    steps_->note_changed_state();
-    share_.share_out();
 }
 
 void Level::mark_restart_point() {

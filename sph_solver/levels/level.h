@@ -122,7 +122,6 @@ public:
         home();
         return share_.gathered();
     }
-    void share_out();
     /// Calls `add(sum, i)` for every particle, and sums over all ranks; `Sum` as that of sum_over.
     template <class Sum, class Add>
     Sum sum_over_all(const Add& add) const {

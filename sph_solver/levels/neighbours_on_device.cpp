@@ -54,7 +54,7 @@ void LevelOnDevice::make_lists(double drift) {
 /// of columns that several ranks hold. All others stay where they are.
 void LevelOnDevice::cross_and_hold(double reach) {
     Arrays& on = *on_;
-    if (host_counts_ || share_.is_whole()) {
+    if (host_counts_ || share_.is_on_first()) {
         bring_all_home();
         share_.cross_and_hold(reach);
         take_state();

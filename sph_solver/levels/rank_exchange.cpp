@@ -95,12 +95,9 @@ void RankShare::interpolate_together(FieldsAt& at, const std::function<void(Fiel
 }
 
 Particles RankShare::gathered() const {
+    if (!ranks().many()) return level_.particles;
     Particles all;
     all.bring_all_of(level_.particles);
-    if (!ranks().many() || whole_) {
-        if (ranks().first()) all = level_.particles;
-        return all;
-    }
     struct Column {
         std::int32_t column, size;
     };

@@ -30,14 +30,16 @@ std::function<bool(int)> RankShare::own_columns() const {
     return [this](int column) { return columns_.owner(column) == ranks().rank(); };
 }
 
-/// Every rank has made or read all particles; the first one answers for them.
-void RankShare::begin_whole() {
+/// As if all stood in the first column, which is the first rank's.
+void RankShare::begin_on_first() {
     if (!ranks().many()) return;
-    whole_ = true;
-    own_.assign(level_.particles.size(), ranks().first() ? 1 : 0);
-    total_ = static_cast<std::int64_t>(level_.particles.size());
+    const std::size_t n = level_.particles.size();
+    total_ = ranks().sum(static_cast<std::int64_t>(n));
+    columns_ = {};
+    level_.near.start.assign(static_cast<std::size_t>(level_.grid.count()) + 1, static_cast<std::int32_t>(n));
+    level_.near.start.front() = 0;
     work_.clear();
-    halo_ = {};
+    note_let_go(n);
 }
 
 void RankShare::refuse_idle(int count) const {
@@ -46,7 +48,7 @@ void RankShare::refuse_idle(int count) const {
     for (std::size_t i = 0; i < level_.particles.size(); ++i)
         busy[static_cast<std::size_t>(level_.grid.of(
             level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))] = 1;
-    const std::int64_t columns = std::ranges::count(busy, 1);
+    const std::int64_t columns = ranks().sum(std::ranges::count(busy, 1));  // the first rank has all particles
     if (columns < count)
         throw InputError(fmt::format("the {} stands in {} columns of particles, and there are {} ranks: take fewer",
                                      level_.setup.material, columns, count));
@@ -54,7 +56,6 @@ void RankShare::refuse_idle(int count) const {
 
 /// What is left keeps its order, and its columns; what has been added behind them is in none.
 void RankShare::let_go(const std::vector<int>& gone) {
-    if (whole_) return;
     const std::size_t n = level_.particles.size();
     std::vector<std::int32_t> kept, before(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
@@ -71,18 +72,6 @@ void RankShare::let_go(const std::vector<int>& gone) {
 void RankShare::note_let_go(std::size_t left) {
     own_.assign(left, 1);
     halo_ = {};
-}
-
-/// The first rank has all, until the others get theirs with the first lists.
-void RankShare::share_out() {
-    if (!whole_) return;
-    divide_columns();
-    whole_ = false;
-    const std::size_t n = ranks().first() ? level_.particles.size() : 0;
-    level_.particles.resize(n);
-    own_.assign(n, 1);
-    level_.near.start.assign(static_cast<std::size_t>(level_.grid.count()) + 1, static_cast<std::int32_t>(n));
-    level_.near.start.front() = 0;
 }
 
 std::int64_t RankShare::among_all(std::size_t i) const {
@@ -125,7 +114,6 @@ RankShare::Numbers RankShare::number_by_column(const std::vector<std::int32_t>& 
 /// process counts them, column by column.
 std::vector<std::int64_t> RankShare::agree_on_crossings(const Ledger& before,
                                                         const std::vector<std::int32_t>& entered) {
-    if (whole_) return {};
     level_.ledger.out = before.out + ranks().sum(level_.ledger.out - before.out);
     if (!level_.around.stream) return {};
     Numbers numbers = number_by_column(entered);
@@ -135,10 +123,10 @@ std::vector<std::int64_t> RankShare::agree_on_crossings(const Ledger& before,
 }
 
 /// Adds the work of this rank's particles to that of their columns: pairs by the lists as they are, or particles where
-/// none were made yet, of which the first rank counts all.
+/// none were made yet.
 void RankShare::add_work(std::vector<std::int64_t>& of_columns) const {
     for (std::size_t c = 0; c < work_.size(); ++c) of_columns[c] += work_[c];
-    for (std::size_t i = 0; i < level_.particles.size() && whole_ && ranks().first(); ++i)
+    for (std::size_t i = 0; i < level_.particles.size() && work_.empty(); ++i)
         ++of_columns[static_cast<std::size_t>(level_.grid.of(
             level_.fixed_point.wide({level_.particles.x[i], level_.particles.y[i], level_.particles.z[i]})))];
 }
@@ -226,7 +214,6 @@ void RankShare::hold_columns(const std::vector<std::int32_t>& staying) {
     for (std::size_t k = 0; k < n; ++k) {
         const std::int32_t c = column[k];
         if (columns_.holds(self, c)) kept.push_back(staying[k]);
-        if (whole_) continue;
         const auto send = [&](int r) {
             if (r == self) return;
             Comm::Bytes& out = to[static_cast<std::size_t>(r)];
@@ -237,14 +224,12 @@ void RankShare::hold_columns(const std::vector<std::int32_t>& staying) {
         for (const std::int32_t r : columns_.holders(c)) send(r);
     }
     level_.particles.reorder(kept);
-    if (!whole_)
-        for (const Comm::Bytes& got : ranks().exchange(to)) {
-            const std::size_t before = level_.particles.size();
-            level_.particles.resize(before + got.size() / bytes);
-            for (std::size_t k = 0; k < got.size() / bytes; ++k)
-                level_.particles.unpack(before + k, got.data() + k * bytes);
-        }
-    whole_ = false;
+    for (const Comm::Bytes& got : ranks().exchange(to)) {
+        const std::size_t before = level_.particles.size();
+        level_.particles.resize(before + got.size() / bytes);
+        for (std::size_t k = 0; k < got.size() / bytes; ++k)
+            level_.particles.unpack(before + k, got.data() + k * bytes);
+    }
 }
 
 /// The particles are sorted: who owns which, and who tells whom.

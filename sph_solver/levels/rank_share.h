@@ -22,7 +22,7 @@ namespace tw {
 class RankShare {
 public:
     /// `level` must outlive this, with the particles that a run begins with.
-    explicit RankShare(ParticleSystem& level) : level_(level) { begin_whole(); }
+    explicit RankShare(ParticleSystem& level) : level_(level) { begin_on_first(); }
     RankShare(const RankShare&) = delete;
 
     const Comm& ranks() const { return level_.ranks(); }
@@ -41,10 +41,8 @@ public:
     void share_columns_with(RankShare& leading) { leading.following_ = this, columns_of_ = &leading; }
 
     // --- which particles it holds
-    /// All ranks hold all particles, until lists are made.
-    void begin_whole();
-    /// Leaves each of those to one rank.
-    void share_out();
+    /// The first rank holds all particles, until lists are made; the others none.
+    void begin_on_first();
     /// Lets particles go, and copies of others' particles; lists are due then. Empty: only the copies.
     void let_go(const std::vector<int>& gone);
     /// Somebody else has done that: so many are left, and near.start is as they stand.
@@ -56,8 +54,8 @@ public:
     /// Lets particles cross the faces of the domain, and go to the ranks that own their columns: the indices of those
     /// that the level has then, in no order. `reach`: how far lists will look [m].
     std::vector<std::int32_t> cross_and_hold(double reach);
+    bool is_on_first() const { return ranks().many() && work_.empty(); }  ///< as it begins, see begin_on_first
     // The parts of that for particles that are elsewhere:
-    bool is_whole() const { return whole_; }  ///< all are here, on each rank
     void divide_columns();
     /// The numbers of those that entered in the place of `entered`; empty where they are right already.
     std::vector<std::int64_t> agree_on_crossings(const Ledger& before, const std::vector<std::int32_t>& entered);
@@ -110,10 +108,9 @@ private:
     Decomposition columns_;
     RankShare *columns_of_ = nullptr, *following_ = nullptr;  ///< see share_columns_with
     Halo halo_;
-    bool whole_ = false;              ///< all ranks hold all particles, until lists are made
     std::vector<char> own_;           ///< of each particle; empty: all are
     std::int64_t total_ = 0;          ///< particles of all ranks
-    std::vector<std::int64_t> work_;  ///< of each of its columns, by the lists made last
+    std::vector<std::int64_t> work_;  ///< of each of its columns, by the lists made last; empty: none were made
 };
 
 }  // namespace tw

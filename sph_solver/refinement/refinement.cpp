@@ -68,7 +68,6 @@ void Refinement::relabel() {
     label_coarse();
     if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
     gone_since_ = 0;
-    fine_.share_out();
     EdgeSteps::Spray spray = label_fine();
     const Comm& ranks = fine_.ranks();
     std::vector<std::size_t> fallen;

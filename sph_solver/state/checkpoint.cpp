@@ -107,14 +107,16 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
                 fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
                             "--overwrite",
                             k, checkpoint.levels[k].material, simulation.level(k).setup().material));
-    for (std::size_t k = 0; k < levels; ++k) {
-        const Particles& p = checkpoint.levels[k].particles;
-        p.each([&](const AnyField& field) {
-            if (field.saved() && simulation.level(k).particles().has(field.with()) && field.length() != p.size())
-                throw InputError(
-                    "the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
-        });
-    }
+    simulation.level(0).ranks().on_first([&] {
+        for (std::size_t k = 0; k < levels; ++k) {
+            const Particles& p = checkpoint.levels[k].particles;
+            p.each([&](const AnyField& field) {
+                if (field.saved() && simulation.level(k).particles().has(field.with()) && field.length() != p.size())
+                    throw InputError(
+                        "the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
+            });
+        }
+    });
     if (checkpoint.edges.size() != simulation.refinements().size())
         throw InputError("the checkpoint's water has another number of particle sizes; start anew with --overwrite");
     for (std::size_t k = 0; k < checkpoint.edges.size(); ++k)

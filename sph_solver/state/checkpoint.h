@@ -38,10 +38,13 @@ Checkpoint checkpoint_of(const Simulation& simulation, double mass_at_start);
 /// Written atomically (raw, no compression). Throws RunError.
 void write_checkpoint(const std::filesystem::path& file, const std::string& run_hash, Checkpoint checkpoint);
 
-/// Throws InputError naming the file: not there, cut off, damaged, of another scene, resolution or other numerics.
-Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& run_hash);
+/// `with_particles`: of several ranks the first one reads them, and whether the file is as it was written; the others
+/// read all else. Throws InputError naming the file: not there, cut off, damaged, of another scene, resolution or other
+/// numerics.
+Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& run_hash, bool with_particles = true);
 
-/// Gives the simulation the checkpoint's state. Throws InputError when its levels are not the checkpoint's.
+/// Gives the simulation the checkpoint's state. All of several ranks call it. Throws InputError when its levels are not
+/// the checkpoint's.
 void restore(Simulation& simulation, Checkpoint checkpoint);
 
 }  // namespace tw

@@ -25,7 +25,7 @@ std::int64_t whole(double number) {
     return static_cast<std::int64_t>(number);
 }
 
-Checkpoint::OfLevel read_level(hid_t at) {
+Checkpoint::OfLevel read_level(hid_t at, bool with_particles) {
     Checkpoint::OfLevel level;
     level.material = h5::read_text_attribute(at, "material");
     Level::State& s = level.state;
@@ -38,7 +38,7 @@ Checkpoint::OfLevel read_level(hid_t at) {
     s.ledger = {whole(counts[1]), whole(counts[2]), whole(counts[3]), whole(counts[4]), whole(counts[5])};
     Particles& particles = level.particles;
     particles.each([&](AnyField& field) {
-        if (!field.saved() || (field.with() != With::water && !h5::has(at, field.name()))) return;
+        if (!with_particles || !field.saved() || (field.with() != With::water && !h5::has(at, field.name()))) return;
         const auto dims = h5::dimensions(at, field.name());
         if (dims.size() != 1) throw h5::Failure{std::string(field.name()) + " is not a list"};
         field.set_length(dims[0]);
@@ -56,7 +56,7 @@ ControlVolume::State read_control_volume(hid_t at) {
 }
 
 /// Throws h5::Failure; InputError where it is another scene's.
-Checkpoint contents(const fs::path& path, const std::string& run_hash) {
+Checkpoint contents(const fs::path& path, const std::string& run_hash, bool with_particles) {
     const h5::Silence silence;
     const h5::Handle file(
         h5::checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "not an HDF5 file, or cut off"), H5Fclose);
@@ -80,7 +80,7 @@ Checkpoint contents(const fs::path& path, const std::string& run_hash) {
     c.mass_at_start = mass[0];
     const h5::Handle levels = h5::open_group(file, "levels");
     for (std::size_t k = 0; h5::has(levels, std::to_string(k).c_str()); ++k)
-        c.levels.push_back(read_level(h5::open_group(levels, std::to_string(k).c_str())));
+        c.levels.push_back(read_level(h5::open_group(levels, std::to_string(k).c_str()), with_particles));
     for (std::size_t k = 0; h5::has_attribute(levels, edge_name(k).c_str()); ++k) {
         const auto counts = h5::read_numbers_attribute(levels, edge_name(k).c_str());
         if (counts.size() != 2) throw h5::Failure{"its counts of split and merged particles are not whole numbers"};
@@ -101,7 +101,7 @@ std::string fault(const fs::path& path, const std::string& run_hash) {
     try {
         const std::string words = answer_of_trial([&]() -> std::string {
             try {
-                contents(path, run_hash);
+                contents(path, run_hash, true);
             } catch (const h5::Failure& f) { return f.what; } catch (const InputError&) {
             }
             return {};
@@ -112,12 +112,13 @@ std::string fault(const fs::path& path, const std::string& run_hash) {
 
 }  // namespace
 
-Checkpoint read_checkpoint(const fs::path& path, const std::string& run_hash) {
+Checkpoint read_checkpoint(const fs::path& path, const std::string& run_hash, bool with_particles) {
     if (!fs::is_regular_file(path))
         throw InputError(path.string() + ": there is no such file; start the run anew with --overwrite");
     std::string why;
     try {
-        if (judge_bytes(read_text(path)) == Bytes::whole) return contents(path, run_hash);
+        if (!with_particles || judge_bytes(read_text(path)) == Bytes::whole)
+            return contents(path, run_hash, with_particles);
         why = fault(path, run_hash);
     } catch (const h5::Failure& f) { why = f.what; } catch (const std::bad_alloc&) {
         why = "an array in it claims more than the memory holds";
