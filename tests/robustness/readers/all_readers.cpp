@@ -14,7 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/reports/read_report.h"
-#include "compare/uncertainty/read_table.h"
+#include "compare/uncertainty/refinement_table.h"
 #include "foam_cases/cloud/cloud_case.h"
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/hull_patch.h"
