@@ -7,7 +7,6 @@
 
 #include "compare/gates/gates.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/solid_voxels.h"
 #include "record/raster_grid.h"
 #include "record/record_numbers.h"
 #include "record/spray_table.h"
