@@ -13,9 +13,8 @@
 #include <sstream>
 
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/regular_wave.h"
+#include "compare/metrics/wave_analysis.h"
 #include "compare/metrics/wave_samples.h"
-#include "compare/metrics/wave_spectrum.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
 #include "statistics/student_t.h"
@@ -56,13 +55,7 @@ SeaAsked sea_of(const Comparison& c) {
         for (Component w; text >> w.f >> w.k >> w.amplitude >> w.phase;) sea.waves.push_back(w);
     }
     if (sea.waves.empty() || !(sea.peak_period > 0)) return {};
-    double from = 0, to = HUGE_VAL;
-    for (const RunRecord& r : c.sources) {
-        const auto table = r.tables.find("height");
-        if (table == r.tables.end() || table->second.time.empty()) continue;
-        from = std::max({from, table->second.time.front(), number_of(r, "mean_from", 0)});
-        to = std::min(to, table->second.time.back());
-    }
+    const auto [from, to] = common_time(c, [](const std::string& table) { return table == "height"; });
     if (!std::isfinite(to)) return {};
     const double repeats = sea.repeat > 0 ? std::floor((to - from) / sea.repeat + 1e-3) : 0;
     sea.whole = repeats >= 1;
@@ -287,13 +280,9 @@ void add_focused(Comparison& comparison, const SeaAsked& sea, const std::string&
             crest.values.push_back(none), time.values.push_back(none);
             continue;
         }
-        // parabola through the highest sample and its neighbours
-        const double h1 = s.t[best] - s.t[best - 1], h2 = s.t[best + 1] - s.t[best],
-                     d1 = (s.x[best] - s.x[best - 1]) / h1, d2 = (s.x[best + 1] - s.x[best]) / h2,
-                     bend = (d2 - d1) / (h1 + h2), slope = d1 + bend * h1, dt = bend < 0 ? -slope / (2 * bend) : 0;
-        const double at = std::clamp(dt, -h1, h2);
-        crest.values.push_back(known_value(s.x[best] + slope * at + bend * at * at, NAN, focus, focus));
-        time.values.push_back(known_value(s.t[best] + at, NAN, focus, focus));
+        const TurningPoint highest = turning_point(s.t, s.x, best, 0);
+        crest.values.push_back(known_value(highest.x, NAN, focus, focus));
+        time.values.push_back(known_value(highest.t, NAN, focus, focus));
     }
     const std::string crest_name = crest.name, time_name = time.name;
     time.scale = sea.peak_period;
