@@ -26,10 +26,4 @@ const Quantity* resistance_of(const Comparison& comparison);
 void add_resistance(Comparison& comparison, const CompareOptions& options);
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
 
-/// Quantities per pressure and height probe of any source. `pressure:P1`: the raw peak, with the root mean square
-/// difference of the histories in the remark, never judged. Judged by a ladder: `pressure_mean:P1`, the time mean; and in
-/// tanks `pressure_peak:P1`, the largest mean over 5 ms or the probe's filter, `pressure_p99:P1`, exceeded 1 % of the time, and
-/// `pressure_arrival:P1` [s] (metrics/probe_peaks.h).
-void add_probes(Comparison& comparison, const CompareOptions& options);
-
 }  // namespace tw
