@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "compare/truth/validation_report.h"
-#include "compare/truth/validation_tables.h"
 
 namespace tw {
 namespace {

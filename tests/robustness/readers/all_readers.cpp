@@ -13,7 +13,7 @@
 #include "app/study/study.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "compare/reports/read_report.h"
+#include "compare/reports/two_reports.h"
 #include "compare/uncertainty/refinement_table.h"
 #include "foam_cases/cloud/cloud_case.h"
 #include "foam_cases/read/field_file.h"
