@@ -64,6 +64,10 @@ std::string page_begin(const std::string& title, const std::string& style, const
            report_style + style + "</style></head><body><main>";
 }
 
+std::string page_begin_with(const std::string& title, const std::string& facts) {
+    return page_begin(title) + "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + escaped(facts) + "</p>";
+}
+
 std::string script_source(const std::string& script) {
     const std::string hex = sha256_hex(script);
     std::string digest;

@@ -13,6 +13,8 @@ extern const char* const report_style;
 /// `style`: rules beside the report's own. `scripts`: CSP sources of those that may run (script_source);
 /// empty: none may.
 std::string page_begin(const std::string& title, const std::string& style = {}, const std::string& scripts = {});
+/// The same with the title as its heading and a line of facts below; plain text both.
+std::string page_begin_with(const std::string& title, const std::string& facts);
 inline constexpr const char* page_end = "</main></body></html>\n";
 
 /// The scripts of the report's page (report/page/), each one text; empty in a build where npm could not bring their
