@@ -95,30 +95,6 @@ std::complex<double> line_of(const Levels& levels, double from, double f) {
     return 2.0 / static_cast<double>(levels.values.size()) * A;
 }
 
-double peak_period_of(std::span<const double> f, std::span<const double> energy) {
-    double most = 0, above = 0, below = 0;
-    for (const double e : energy) most = std::max(most, e);
-    for (std::size_t n = 0; n < f.size(); ++n) {
-        const double weight = std::pow(energy[n] / most, 4);
-        above += weight, below += f[n] * weight;
-    }
-    return above / below;
-}
-
-/// Lines of a record that is no whole number of repeat periods scatter: means over a tenth of the peak's frequency to both
-/// sides.
-std::vector<double> smoothed(const WaveSpectrum& s, double reach) {
-    std::vector<double> out;
-    for (std::size_t n = 0; n < s.f.size(); ++n) {
-        double sum = 0;
-        int count = 0;
-        for (std::size_t m = 0; m < s.f.size(); ++m)
-            if (std::abs(s.f[m] - s.f[n]) <= reach) sum += s.energy[m], ++count;
-        out.push_back(sum / count);
-    }
-    return out;
-}
-
 void add_judged(Comparison& comparison, Quantity q, double theory, double half_width = 0) {
     beside(q);
     q.judged_in_ladder = true;

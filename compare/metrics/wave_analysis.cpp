@@ -98,6 +98,28 @@ WaveSpectrum spectrum_of(std::span<const double> levels, double T, double lowest
     return s;
 }
 
+double peak_period_of(std::span<const double> f, std::span<const double> energy) {
+    double most = 0, above = 0, below = 0;
+    for (const double e : energy) most = std::max(most, e);
+    for (std::size_t n = 0; n < f.size(); ++n) {
+        const double weight = std::pow(energy[n] / most, 4);
+        above += weight, below += f[n] * weight;
+    }
+    return above / below;
+}
+
+std::vector<double> smoothed(const WaveSpectrum& s, double reach) {
+    std::vector<double> out;
+    for (std::size_t n = 0; n < s.f.size(); ++n) {
+        double sum = 0;
+        int count = 0;
+        for (std::size_t m = 0; m < s.f.size(); ++m)
+            if (std::abs(s.f[m] - s.f[n]) <= reach) sum += s.energy[m], ++count;
+        out.push_back(sum / count);
+    }
+    return out;
+}
+
 std::vector<double> crossing_heights(std::span<const double> levels) {
     double mean = 0;
     for (const double x : levels) mean += x / static_cast<double>(levels.size());

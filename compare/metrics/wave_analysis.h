@@ -39,6 +39,12 @@ void set_certainty(WaveSpectrum& spectrum, std::span<const double> energy);
 /// Of `levels` at equal steps over the time T [s], lines from `lowest` to `highest` [1/s].
 WaveSpectrum spectrum_of(std::span<const double> levels, double T, double lowest, double highest);
 
+/// sum E^4 / sum f E^4 over lines of frequency f [1/s] (Young 1995, Ocean Eng. 22, 669) [s].
+double peak_period_of(std::span<const double> f, std::span<const double> energy);
+/// Energies of a record that is no whole number of repeat periods, whose lines scatter: means over `reach` [1/s] to both
+/// sides [m2].
+std::vector<double> smoothed(const WaveSpectrum& spectrum, double reach);
+
 /// Heights between zero up-crossings of the level less its mean, in their order.
 std::vector<double> crossing_heights(std::span<const double> levels);
 
