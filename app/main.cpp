@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/arguments/output.h"
+#include "app/runs/ranks.h"
 #include "app/subcommands.h"
 #include "app/terminal/command_words.h"
 #include "app/terminal/quiet_waits.h"
@@ -152,8 +153,7 @@ int run_program(int argc, char** argv) {
     if (!failure.empty() && ranks->first()) complain(failure);
     // Lost output is no success; a status that says more than that is kept.
     if (!everything_was_printed() && status == done) status = bad_input;
-    ranks->end(status, failure);
-    return status;
+    return leave_to_starter(ranks->end(status, failure), *ranks);
 }
 
 }  // namespace

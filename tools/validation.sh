@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the long validation cases with build/twinwake and prints the rows of their pages in docs/results, each with the command
+# Runs the long validation cases with build/twinwake and prints the rows of their pages in docs, each with the command
 # that made it.
 #
 #   tools/validation.sh [--method sph|fvm|both] [--out FOLDER] [--rows-only] [CASE...]

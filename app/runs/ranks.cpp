@@ -16,6 +16,7 @@
 
 #include "app/arguments/output.h"
 #include "app/terminal/command_words.h"
+#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "sph_solver/parallel/comm.h"
@@ -76,6 +77,8 @@ int status_of(std::vector<std::string>& words) {
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
+
+constexpr const char* status_file = "TWINWAKE_RANKS_STATUS";  ///< environment: where the first rank leaves the status
 
 }  // namespace
 
@@ -165,7 +168,13 @@ int run_on_ranks(int ranks, const std::function<bool()>& made) {
     words.insert(words.end(), own.begin(), own.end());
     // a run that is told to stop saves its state first; one of which a rank is dead waits for it in vain
     setenv("OMPI_MCA_odls_base_sigkill_timeout", "10", 0);  // mpirun waits twice as long
-    const int status = status_of(words);
+    std::string folder = std::filesystem::temp_directory_path() / "twinwake_ranks_XXXXXX";
+    if (!mkdtemp(folder.data())) throw RunError(folder + ": no folder can be made there: " + std::strerror(errno));
+    const std::filesystem::path file = std::filesystem::path(folder) / "status";
+    setenv(status_file, file.c_str(), 1);
+    int status = status_of(words);
+    if (status == done && std::filesystem::exists(file)) status = std::stoi(read_text(file));
+    std::filesystem::remove_all(folder, none);
     if (status == no_program)
         throw InputError(fmt::format("--ranks {}: mpirun is not on the PATH; install openmpi-bin", ranks));
     if (status == done && !made())
@@ -174,6 +183,13 @@ int run_on_ranks(int ranks, const std::function<bool()>& made) {
                         "PATH that of Open MPI, with which this twinwake was built?",
                         ranks));
     return status;
+}
+
+int leave_to_starter(int status, const Comm& ranks) {
+    const char* file = std::getenv(status_file);
+    if (!ranks.many() || !file) return status;
+    if (ranks.first()) write_text_atomically(file, std::to_string(status));
+    return done;
 }
 
 }  // namespace tw::app

@@ -5,6 +5,7 @@
 #include "app/arguments/commands.h"
 #include "app/runs/run_method.h"
 #include "scene/scene.h"
+#include "sph_solver/parallel/comm.h"
 
 namespace tw::app {
 
@@ -31,5 +32,10 @@ std::string unused_ranks(const Scene& scene);
 /// Has mpirun start this very command on so many ranks, passes on signals that ask to stop, and returns their exit
 /// status. Throws InputError: no mpirun; RunError: it says that all went well, and the run is not `made`.
 int run_on_ranks(int ranks, const std::function<bool()>& made);
+
+/// Of a rank, with the `status` of all: the exit status of this process. Where run_on_ranks has started it, that is 0,
+/// and the first rank leaves `status` to it in a file: after any other exit status mpirun waits, up to 20 s, for ranks
+/// that have ended.
+int leave_to_starter(int status, const Comm& ranks);
 
 }  // namespace tw::app

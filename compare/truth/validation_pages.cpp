@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "base/errors.h"
 #include "compare/truth/validation_report.h"
 
 namespace tw {
@@ -63,7 +65,50 @@ std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
     return page + made_from(report);
 }
 
+/// The report without the cases and methods that were not run.
+ValidationReport only_run(ValidationReport report) {
+    for (ValidatedCase& c : report.cases) {
+        for (ValidatedQuantity& q : c.quantities)
+            std::erase_if(q.values, [](const ValidatedValue& v) { return v.outcome == Outcome::not_run; });
+        std::erase_if(c.quantities, [](const ValidatedQuantity& q) { return q.values.empty(); });
+    }
+    std::erase_if(report.cases, [](const ValidatedCase& c) { return c.quantities.empty(); });
+    return report;
+}
+
 }  // namespace
+
+std::string with_tables(const std::string& page, const std::string& name, const ValidationReport& report) {
+    constexpr std::string_view begin = "<!-- validate: ", close = " -->\n", end = "<!-- /validate -->";
+    std::string out;
+    std::size_t at = 0;
+    for (std::size_t place = page.find(begin); place != std::string::npos; place = page.find(begin, at)) {
+        const std::size_t line = 1 + static_cast<std::size_t>(std::ranges::count(page.substr(0, place), '\n')),
+                          word = place + begin.size(), text = page.find(close, word), after = page.find(end, word);
+        if (text == std::string::npos || after == std::string::npos || after < text)
+            throw InputError(fmt::format("{}:{}: a place for a table has to end: \"{}\" on a line of its own behind it",
+                                         name, line, end));
+        const std::string table = page.substr(word, text - word);
+        ReportTable made;
+        if (table == "families")
+            made = family_table(report);
+        else if (table == "values")
+            made = validation_table(only_run(report));
+        else
+            throw InputError(
+                fmt::format("{}:{}: no table \"{}\"; there are \"families\" and \"values\"", name, line, table));
+        made.title.clear();
+        out += page.substr(at, text + close.size() - at) +
+               wrapped(fmt::format("Made by `twinwake validate --into` from runs of twinwake {}, {}, {}:",
+                                   plain_markdown(report.version), plain_markdown(report.machine),
+                                   plain_markdown(report.date))) +
+               "\n" + text_of(made) + "\n";
+        at = after;
+    }
+    if (at == 0)
+        throw InputError(fmt::format("{}: no place for a table: the lines \"{}families -->\" and \"{}\"", name, begin, end));
+    return out + page.substr(at);
+}
 
 std::vector<MadePage> validation_pages(const ValidationReport& report) {
     std::vector<MadePage> pages;

@@ -30,6 +30,12 @@ struct MadePage {
 /// README.md with the tables of the whole suite, and one page a case.
 std::vector<MadePage> validation_pages(const ValidationReport& report);
 
+/// A Markdown page whose other text is written by hand. What stands between the lines `<!-- validate: families -->` (how
+/// often the intervals hold the truth) or `<!-- validate: values -->` (every value that was run) and the next
+/// `<!-- /validate -->` is made from the report, after a line that says from which. `name`: of the page, for messages.
+/// Throws InputError: no such place, one without an end, a table of another name.
+std::string with_tables(const std::string& page, const std::string& name, const ValidationReport& report);
+
 // The tables of a validation report, the same on the terminal, the page and in the documentation.
 
 /// A row per case, quantity and method: truth, value, E, U_val, goal, what became of it.

@@ -53,7 +53,7 @@ private:
 
 /// Loss of height over a length by the particles' artificial viscosity [-], a fraction: 1 - exp(-2 nu k^2 x / cg) with
 /// nu = alpha c0 h / 8 in two dimensions, / 10 in three (Lamb 348 for the rate in time). Waves lose more, by the kernel's
-/// sums (docs/results/regular_wave.md).
+/// sums (docs/decisions/088-waves.md).
 double loss_by_artificial_viscosity(const Scene& scene, double distance);
 
 }  // namespace tw

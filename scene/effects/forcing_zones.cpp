@@ -40,7 +40,7 @@ EffectChoice plan_forcing_zones(const EffectQuestion& q) {
 }
 
 /// A wave is to keep its height on its way through the tank. Lost in 0.6 of its lengths at ten particles in 0.1 of them
-/// (docs/results/regular_wave.md): 5 % with the other scenes' alpha and kernel, 1 to 2 % with these.
+/// (docs/decisions/088-waves.md): 5 % with the other scenes' alpha and kernel, 1 to 2 % with these.
 void settle_forcing_zones(Scene& scene, bool on) {
     if (!on || !scene.has_wave()) return;
     take_default(scene, "sph.alpha", scene.sph.alpha, [] { return 0.001; });

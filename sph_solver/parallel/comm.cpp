@@ -199,8 +199,8 @@ std::string Comm::told_by(int rank, std::string text) const {
     return text;
 }
 
-void Comm::end(int status, const std::string& failure) const {
-    if (!many()) return;
+int Comm::end(int status, const std::string& failure) const {
+    if (!many()) return status;
     // A rank whose computation goes on is in no hurry; one that has failed alone would wait for ever.
     constexpr int patience = 5000;  // [ms]
     MPI_Request all_here;
@@ -215,7 +215,9 @@ void Comm::end(int status, const std::string& failure) const {
         }
         usleep(1000);
     }
+    MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, farewell);
     MPI_Finalize();
+    return status;
 }
 
 #else

@@ -137,9 +137,10 @@ public:
         });
     }
 
-    /// The program's end, with its exit status: waits for the others as long as it takes them to get there. Where they
-    /// do not come, because this rank alone has failed, all are ended and the rank's `failure` is shown.
-    void end(int status, const std::string& failure) const;
+    /// The program's end, with this rank's exit status: waits for the others as long as it takes them to get there.
+    /// Gives the largest status of all. Where they do not come, because this rank alone has failed, all are ended and
+    /// the rank's `failure` is shown.
+    int end(int status, const std::string& failure) const;
 
     /// What this rank has sent since the start.
     struct Traffic {

@@ -387,7 +387,6 @@ TEST(RanksRefused, WithTheReason) {
         return;
     }
     setenv("LSAN_OPTIONS", "exitcode=0", 1);
-    setenv("OMPI_MCA_odls_base_sigkill_timeout", "1", 1);  // mpirun waits twice as long for ranks that have ended
     has(refused(column_on_an_obstacle, {"--ranks", "5", "--method", "sph", "--no-twins", "--near-hull", "80mm"}),
         "take fewer");
 }

@@ -235,6 +235,37 @@ TEST(Validation, TextOfASuiteIsTextInEveryFile) {
     EXPECT_NE(validation_pages(report)[1].text.find("# Tank \\| one"), std::string::npos);
 }
 
+TEST(Validation, TablesOfAPageWrittenByHandAreMadeAnewAndNothingElse) {
+    const std::string page = "# Mine\n\n<!-- validate: families -->\nof earlier data\n<!-- /validate -->\n\nkept | text\n"
+                             "<!-- validate: values -->\n<!-- /validate -->\nend\n",
+                      made = with_tables(page, "mine.md", small_report());
+    for (const char* words : {"# Mine\n\n<!-- validate: families -->\nMade by", "\n\nkept | text\n", "\nend\n", "Lift", "tanks"})
+        EXPECT_NE(made.find(words), std::string::npos) << words << "\n" << made;
+    EXPECT_EQ(made.find("of earlier data"), std::string::npos);
+    EXPECT_EQ(with_tables(made, "mine.md", small_report()), made) << "made twice";
+}
+
+TEST(Validation, APlaceForATableThatIsWrongIsSaid) {
+    const auto said = [](const std::string& page) -> std::string {
+        try {
+            return with_tables(page, "mine.md", small_report());
+        } catch (const InputError& e) { return e.what(); }
+    };
+    EXPECT_NE(said("text\n").find("mine.md: no place for a table"), std::string::npos);
+    EXPECT_NE(said("a\n<!-- validate: values -->\nb\n").find("mine.md:2: a place for a table has to end"), std::string::npos);
+    EXPECT_NE(said("<!-- validate: x -->\n<!-- /validate -->\n").find("mine.md:1: no table \"x\""), std::string::npos);
+}
+
+/// README and STATUS show what validation/report.json holds.
+TEST(Validation, CommittedTablesAreMadeFromTheCommittedReport) {
+    const fs::path source = TWINWAKE_SOURCE;
+    for (const char* page : {"README.md", "docs/STATUS.md"}) {
+        const std::string text = read_text(source / page);
+        EXPECT_EQ(text, with_tables(text, page, read_validation(source / "validation/report.json")))
+            << "twinwake validate validation/report.json --out /tmp/validation --into " << page;
+    }
+}
+
 /// The pages of docs/validation are those of validation/report.json: whoever changes one changes the other.
 TEST(Validation, CommittedPagesAreMadeFromTheCommittedReport) {
     const fs::path source = TWINWAKE_SOURCE;
