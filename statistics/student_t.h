@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <complex>
 #include <span>
 
 namespace tw {
@@ -17,5 +18,12 @@ struct IndependentMean {
     double half_width = NAN;  ///< NaN of fewer than two
 };
 IndependentMean mean_of_independent(std::span<const double> values);
+
+/// The same of complex values, with the mean square of their distances from the mean as s^2.
+struct IndependentComplexMean {
+    std::complex<double> value = NAN;
+    double half_width = NAN;
+};
+IndependentComplexMean mean_of_independent(std::span<const std::complex<double>> values);
 
 }  // namespace tw

@@ -28,7 +28,7 @@ const std::vector<LadderChoice>& numerical_choices() {
     };
     return all;
 }
-/// What the walls are worth; the share follows from the two boxes (compare/ladder/variation.h).
+/// What the walls are worth; the share follows from the two boxes (compare/ladder/steps.h).
 LadderChoice wider_box() {
     return {.method = "",
             .name = "box x 1.5",

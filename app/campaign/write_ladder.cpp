@@ -5,6 +5,7 @@
 #include "app/arguments/output.h"
 #include "app/campaign/report_every.h"
 #include "compare/ladder/judge_by_sizes.h"
+#include "compare/ladder/ladder_report.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/ladder/judge_by_sizes.h"
+#include "compare/ladder/ladder_report.h"
 #include "compare/reports/two_reports.h"
 #include "methods/methods.h"
 

@@ -18,6 +18,7 @@
 #include "base/folder_lock.h"
 #include "compare/compare.h"
 #include "compare/ladder/judge_by_sizes.h"
+#include "compare/ladder/ladder_report.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 #include "scene/doubtful_input.h"

@@ -1,3 +1,4 @@
+#include "compare/ladder/ladder_report.h"
 #include "compare/sweep/sweep.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "app/arguments/output.h"
-#include "compare/uncertainty/read_table.h"
+#include "compare/uncertainty/refinement_table.h"
 #include "compare/uncertainty/report_uncertainty.h"
 
 namespace tw::app {

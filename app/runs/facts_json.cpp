@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/runs/ranks.h"
+#include "compare/ladder/ladder_report.h"
 #include "scene/box/box_walls.h"
 #include "scene/doubtful_input.h"
 #include "scene/particles/cost_of_sizes.h"

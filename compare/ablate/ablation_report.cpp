@@ -207,11 +207,10 @@ std::string ablation_text(const Ablation& ablation) {
 std::string ablation_html(const Ablation& ablation) {
     const std::string title = ablation.title + ": one effect switched at a time";
     const auto good = std::ranges::count_if(ablation.runs, [](const AblationRun& r) { return r.why_not.empty(); });
-    std::string out = page_begin(title) + "<h1>" + escaped(title) + "</h1><p class=\"sub\">" +
-                      fmt::format("{} effects switched, each in a run of its own; {} without a result</p>", good - 1,
-                                  static_cast<std::ptrdiff_t>(ablation.runs.size()) - good) +
-                      html_of(overviews_of(ablation)) + "<p class=\"note\">" + ablation_note + "</p>" +
-                      html_of(without_result(ablation));
+    const std::string facts = fmt::format("{} effects switched, each in a run of its own; {} without a result",
+                                          good - 1, static_cast<std::ptrdiff_t>(ablation.runs.size()) - good);
+    std::string out = page_begin_with(title, facts) + html_of(overviews_of(ablation)) + "<p class=\"note\">" +
+                      ablation_note + "</p>" + html_of(without_result(ablation));
     for (const AblationMethod& method : ablation.methods)
         if (!method.rows.empty())
             out += "<h2>Effect by effect: " + escaped(method_label(method.method)) + "</h2>" +

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/gates/gate_list.h"
 #include "record/certificate.h"
 #include "record/record_numbers.h"
 

@@ -1,4 +1,9 @@
 #pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "compare/compare.h"
 
 namespace tw {
@@ -10,5 +15,67 @@ namespace tw {
 std::vector<Gate> check_gates(const RunRecord& record, const std::string& name);
 /// Those that are not met.
 std::vector<Gate> failed_gates(std::vector<Gate> gates);
+
+/// The checks of one run, as they are made.
+struct GateList {
+    const RunRecord& record;
+    const std::string& name;  ///< of the run, for people
+    std::vector<Gate> gates = {};
+
+    /// Met by a value up to the limit.
+    void add(std::string gate, std::string unit, double value, double limit, std::string remark) {
+        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit + 1e-9 * std::abs(limit),
+                         std::move(remark)});
+    }
+};
+
+/// Whether the water is all there and at rest where it should be (water_gates.cpp).
+void add_water_gates(GateList& list);
+/// What a hull shows that the resolution or the method gets wrong: air smeared under it, suction at its edges, drag that
+/// its bottom cannot have, force measures that differ (hull_gates.cpp).
+void add_hull_gates(GateList& list);
+
+// What the gates of the water are made of: whether a run keeps the water that its heights, pressures and means take for
+// granted. Only of what the record holds.
+
+/// The largest departure of a quantity over a run.
+struct Departure {
+    double value = 0;  ///< in the unit of the function that tells it
+    double time = 0;   ///< [s]
+};
+
+/// Of a tank at rest: by how much the water's centre of mass lies below the lowest place that its mass and density allow,
+///
+///   (z_c,min - z_c) / (z_c,min - z_floor)   [-],   z_c = E_p / (m g)
+///
+/// z_c,min: filled from the floor up into all that solids at rest leave of the tank, as if all of it were connected, so
+/// no water of constant density can be lower, however it moves. In a plain tank of still water it is the share of the
+/// volume that is gone. Water that the method compresses by its own weight makes g H / (2 c0^2) of it. Nothing for a
+/// stream and a tank that moves.
+std::optional<Departure> sunk_below_rest(const RunRecord& record);
+
+/// Of a tank in which nothing moves and whose water stands as low as it can at the start (within half a per cent of its
+/// depth): the kinetic energy of the water that should rest, over the energy that it has by its height above the floor,
+///
+///   E_k / (m g (z_c,min - z_floor))   [-]
+std::optional<Departure> motion_at_rest(const RunRecord& record);
+
+/// Of a stream: by how much the mass of the water in the box departs from what it is when the means begin [-], up to the
+/// end. A mean over a box that fills or empties is the mean of no steady flow.
+std::optional<Departure> change_of_water_in_box(const RunRecord& record);
+
+/// Of a stream of particles of one size: what its openings let in and out.
+struct Throughput {
+    double unaccounted =
+        0;  ///< particles that came or went otherwise since the start, at the worst; in books that balance 0
+    double unaccounted_at = 0;  ///< [s]
+    double surplus = 0;         ///< inflow less outflow since the means began, over the inflow [-]
+};
+/// Nothing for other runs, and for one that takes water out as droplets.
+std::optional<Throughput> throughput(const RunRecord& record);
+
+/// Of a stream without waves at its inlet: how far the mean level of the water in the tenth of the box that is nearest to
+/// the inlet lies from the still level, z = 0, in frames from `mean_from` on [m].
+std::optional<Departure> level_at_inlet(const RunRecord& record);
 
 }  // namespace tw

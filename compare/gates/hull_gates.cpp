@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/gates/gate_list.h"
-#include "record/record_numbers.h"
+#include "compare/gates/gates.h"
 #include "compare/reference/planing.h"
 #include "meshes/shedding_edges.h"
 #include "record/force_names.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

@@ -2,15 +2,112 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
-#include "compare/gates/gate_list.h"
+#include "compare/gates/gates.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/water_kept.h"
+#include "record/raster_grid.h"
 #include "record/record_numbers.h"
+#include "record/spray_table.h"
 
 namespace tw {
-
 namespace {
+
+constexpr double at_rest_within = 0.005;  ///< of the depth: water that stands so low at the start should rest
+
+/// The room of a tank between two heights.
+struct Layer {
+    double low, high;  ///< [m]
+    double area;       ///< free of solids [m2]; of a section [m2 per metre of span]
+};
+
+/// How much of [low, high] lies in [from, to] [m].
+double overlap(double low, double high, double from, double to) {
+    return std::max(0.0, std::min(high, to) - std::max(low, from));
+}
+
+/// The layers of a tank, from its floor up, the uppermost without end. Beyond the raster no solid is known.
+std::vector<Layer> layers_of(const RunRecord& record) {
+    const auto domain = [&](const char* end) { return number_of(record, std::string("domain_") + end, std::nan("")); };
+    const bool section = number_of(record, "dimensions", 3) == 2;
+    const double x_min = domain("x_min"), x_max = domain("x_max"), y_min = domain("y_min"), y_max = domain("y_max"),
+                 floor = domain("z_min"), across = section ? 1 : y_max - y_min, whole = (x_max - x_min) * across;
+    const RasterGrid grid(record.raster);
+    const SolidVoxels solid = solid_voxels(record);
+    std::vector<Layer> layers;
+    double reached = floor;
+    if (!solid.empty()) {
+        const double voxel = record.raster.voxel, y_low = record.raster.origin.y();
+        for (int k = 0; k < grid.nz; ++k) {
+            const double low = std::max(reached, grid.z_low(k)), high = grid.z_low(k + 1);
+            if (high <= low) continue;
+            if (low > reached) layers.push_back({reached, low, whole});
+            double taken = 0;
+            for (int j = 0; j < grid.ny; ++j)
+                for (int i = 0; i < grid.nx; ++i) {
+                    const std::uint8_t share = solid[grid.voxel(i, j, k)];
+                    if (share == 0) continue;
+                    const double along = overlap(grid.x(i) - voxel / 2, grid.x(i) + voxel / 2, x_min, x_max);
+                    const double over = section ? 1 : overlap(y_low + j * voxel, y_low + (j + 1) * voxel, y_min, y_max);
+                    taken += share / 255.0 * along * over;
+                }
+            layers.push_back({low, high, std::max(0.0, whole - taken)});
+            reached = high;
+        }
+    }
+    layers.push_back({reached, HUGE_VAL, whole});
+    return layers;
+}
+
+/// The lowest centre of mass of a volume of water in a tank [m].
+double lowest_centre(const std::vector<Layer>& layers, double volume) {
+    double left = volume, moment = 0;
+    for (const Layer& layer : layers) {
+        if (!(layer.area > 0)) continue;
+        const double height = std::min(layer.high - layer.low, left / layer.area);
+        moment += height * layer.area * (layer.low + height / 2);
+        left -= height * layer.area;
+        if (left <= 0) break;
+    }
+    return moment / volume;
+}
+
+/// The water of a tank at rest, row by row of `samples`.
+struct TankWater {
+    std::vector<double> time;     ///< [s]
+    std::vector<double> mass;     ///< [kg]
+    std::vector<double> centre;   ///< z_c [m]
+    std::vector<double> lowest;   ///< z_c,min [m]
+    std::vector<double> kinetic;  ///< [J]
+    double floor = 0, g = 0;      ///< [m], [m/s2]
+    double above_floor(std::size_t k) const { return lowest[k] - floor; }
+};
+
+std::optional<TankWater> water_of_tank_at_rest(const RunRecord& record) {
+    if (text_of(record, "motion") != "none" || record.attributes.contains("tank_moves")) return {};
+    const Column *mass = record.series("samples", "mass"), *energy = record.series("samples", "potential_energy"),
+                 *kinetic = record.series("samples", "kinetic_energy");
+    const double density = number_of(record, "density", 0);
+    TankWater water;
+    water.g = std::abs(number_of(record, "gravity", 0));
+    if (!mass || !energy || !kinetic || !(density > 0) || !(water.g > 0)) return {};
+    const std::vector<Layer> layers = layers_of(record);
+    water.floor = layers.front().low;
+    const double whole = number_of_text(record, "symmetry_factor", 1);
+    const std::vector<double>& time = record.tables.at("samples").time;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        const double m = mass->values[k], E = energy->values[k];
+        if (!std::isfinite(E) || !(m > 0)) continue;
+        water.time.push_back(time[k]);
+        water.mass.push_back(m);
+        water.centre.push_back(E / (m * water.g));
+        water.lowest.push_back(lowest_centre(layers, m / density / whole));
+        water.kinetic.push_back(kinetic->values[k]);
+    }
+    if (water.time.empty() || !std::isfinite(water.above_floor(0))) return {};
+    return water;
+}
 
 /// The last frame before water is seen at the open top of the domain, from where it may leave [s]; infinite where it is
 /// not.
@@ -29,6 +126,87 @@ double no_water_leaves_until(const RunRecord& record) {
 }
 
 }  // namespace
+
+std::optional<Departure> sunk_below_rest(const RunRecord& record) {
+    const std::optional<TankWater> water = water_of_tank_at_rest(record);
+    std::optional<Departure> worst;
+    for (std::size_t k = 0; water && k < water->time.size(); ++k) {
+        const double share = (water->lowest[k] - water->centre[k]) / water->above_floor(k);
+        if (!worst || share > worst->value) worst = Departure{share, water->time[k]};
+    }
+    return worst;
+}
+
+std::optional<Departure> motion_at_rest(const RunRecord& record) {
+    if (has_moving_bodies(record) || number_of(record, "wave_period", 0) > 0) return {};
+    const std::optional<TankWater> water = water_of_tank_at_rest(record);
+    if (!water || std::abs(water->centre[0] - water->lowest[0]) > at_rest_within * water->above_floor(0)) return {};
+    std::optional<Departure> worst;
+    for (std::size_t k = 0; k < water->time.size(); ++k) {
+        const double share = water->kinetic[k] / (water->mass[k] * water->g * water->above_floor(k));
+        if (!worst || share > worst->value) worst = Departure{share, water->time[k]};
+    }
+    return worst;
+}
+
+std::optional<Departure> change_of_water_in_box(const RunRecord& record) {
+    const Column* mass = record.series("samples", "mass");
+    if (!mass || !(number_of(record, "speed", 0) > 0)) return {};
+    const double from = number_of(record, "mean_from", 0);
+    const std::vector<double>& time = record.tables.at("samples").time;
+    double before = 0;
+    std::optional<Departure> worst;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        if (time[k] < from || !(mass->values[k] > 0)) continue;
+        if (!(before > 0)) before = mass->values[k];
+        const double change = mass->values[k] / before - 1;
+        if (!worst || std::abs(change) > std::abs(worst->value)) worst = Departure{change, time[k]};
+    }
+    return worst;
+}
+
+std::optional<Throughput> throughput(const RunRecord& record) {
+    const Column *count = record.series("samples", "particles"), *in = record.series("samples", "particles_in"),
+                 *out = record.series("samples", "particles_out");
+    if (!count || !in || !out || !(number_of(record, "speed", 0) > 0)) return {};
+    if (record.tables.contains(level_table(0)) || record.tables.contains(spray_table)) return {};
+    const std::vector<double>& time = record.tables.at("samples").time;
+    const double from = number_of(record, "mean_from", 0);
+    Throughput t;
+    std::optional<std::size_t> begin;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        const double by_openings = (in->values[k] - in->values[0]) - (out->values[k] - out->values[0]),
+                     missing = std::abs(count->values[k] - count->values[0] - by_openings);
+        if (missing > t.unaccounted) t.unaccounted = missing, t.unaccounted_at = time[k];
+        if (!begin && time[k] >= from) begin = k;
+    }
+    if (!begin || !(in->values.back() > in->values[*begin])) return {};
+    const double inflow = in->values.back() - in->values[*begin], outflow = out->values.back() - out->values[*begin];
+    t.surplus = (inflow - outflow) / inflow;
+    return t;
+}
+
+std::optional<Departure> level_at_inlet(const RunRecord& record) {
+    const RasterGrid grid(record.raster);
+    if (grid.empty() || !(number_of(record, "speed", 0) > 0)) return {};
+    // the raster begins where the stream is undisturbed: behind the zone that absorbs waves at the inlet
+    const double inlet = number_of(record, "undamped_x_min", number_of(record, "domain_x_min", std::nan("")));
+    if (!(grid.x(0) - record.raster.voxel < inlet + record.raster.voxel)) return {};  // begins farther down the stream
+    const SolidVoxels solid = solid_voxels(record);
+    const int last = std::max(1, grid.nx / 10);
+    double sum = 0, end = 0;
+    std::int64_t count = 0;
+    for (const RasterFrame& frame : record.frames) {
+        if (frame.time < number_of(record, "mean_from", 0)) continue;
+        const std::vector<float> heights = elevations(grid, frame, main_body(grid, frame, solid), solid);
+        for (int j = 0; j < grid.ny; ++j)
+            for (int i = 0; i < last; ++i)
+                if (const float z = heights[grid.column(i, j)]; std::isfinite(z)) sum += double(z), ++count;
+        end = frame.time;
+    }
+    if (count == 0) return {};
+    return Departure{sum / static_cast<double>(count), end};
+}
 
 void add_water_gates(GateList& list) {
     const RunRecord& record = list.record;

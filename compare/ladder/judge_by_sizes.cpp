@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/ladder/ladder_report.h"
 #include "compare/report/escape.h"
 #include "compare/report/sentences.h"
 #include "compare/verdict/judge.h"

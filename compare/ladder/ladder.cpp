@@ -8,7 +8,6 @@
 #include "base/errors.h"
 #include "compare/gates/gates.h"
 #include "compare/ladder/steps.h"
-#include "compare/ladder/variation.h"
 #include "methods/methods.h"
 
 namespace tw {

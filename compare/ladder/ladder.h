@@ -8,13 +8,20 @@
 
 #include "compare/compare.h"
 #include "compare/ladder/cost.h"
-#include "compare/ladder/family.h"
 #include "compare/uncertainty/convergence.h"
 
 namespace tw {
 
 /// An uncertainty or a change that is no more than the last digits of its value says nothing.
 inline bool no_more_than_rounding(double U, double value) { return std::abs(U) <= 1e-9 * std::abs(value); }
+
+/// What a run was made with besides its resolution. Runs of one family differ in resolution alone.
+struct Family {
+    std::string hash;      ///< the record's attribute family_hash; empty in imports and in older records
+    std::string likeness;  ///< hull and main numbers as text: what stands in for the hash where there is none
+    std::map<std::string, std::string> settings;  ///< attributes and effects ("effect shifting": "on")
+    std::map<std::string, double> numbers;        ///< as solved; none that follow from resolution or machine
+};
 
 /// What a ladder (grid-convergence study) keeps of one finished run.
 struct LadderRun {
@@ -151,7 +158,7 @@ struct Ladder {
 ///
 /// The box and the uncertain numbers of the scene are in the U of each value and not in that of E: all methods solve the
 /// same box with the same numbers, and a shared input cancels.
-/// A variation that was to take more time steps counts by those it took (variation.h).
+/// A variation that was to take more time steps counts by those it took (steps.h).
 ///
 /// U_num is that of uncertainty/convergence.h: from three sizes on trend and noise, which knows each size's u as part of
 /// the noise. A method without U_num, whose values run away, is not converged, nor is one whose U is no more than
@@ -169,24 +176,5 @@ Ladder build_ladder(std::vector<LadderRun> runs, std::vector<LadderVariation> va
 /// Takes those runs out of the list that repeat another one with one choice made otherwise (the sound speed, the time
 /// step, the Courant number), as the records' numbers show. Runs without a family hash are left as they are.
 std::vector<LadderVariation> take_variations(std::vector<LadderRun>& runs);
-
-/// The verdict on two sides as a sentence to be forwarded, see sentence_of.
-std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& quantity, const LadderDifference& difference);
-/// That of the quantity's own difference.
-std::string ladder_sentence(const Ladder& ladder, const LadderQuantity& quantity);
-/// "Beyond 82 s, at U = 688 N, fvm is the cheaper one, before it sph.", for every two; empty where the lines do not
-/// cross within a year.
-std::string crossover_sentence(const Ladder& ladder, const LadderQuantity& quantity);
-/// Tables and verdicts for people, in markdown.
-std::string ladder_text(const Ladder& ladder);
-/// Of these the verdicts, what measurements say and the checks that are not met: for the terminal.
-std::string ladder_summary(const Ladder& ladder);
-std::string ladder_json(const Ladder& ladder);
-/// Spacing and values of one side, as `twinwake uncertainty` reads it; levels that lack a quantity leave it out whole.
-std::string ladder_csv(const Ladder& ladder, std::size_t side);
-/// The part of report.html that stands below the verdicts: convergence, shares, other choices, what accuracy costs.
-std::string ladder_html(const Ladder& ladder);
-/// What stands above the tables: runs that are left out, choices that are no evidence, sides that are no family.
-std::vector<std::string> ladder_banners(const Ladder& ladder);
 
 }  // namespace tw

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "compare/ladder/ladder.h"
+#include "compare/ladder/ladder_report.h"
 
 namespace tw {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/ladder/judge_by_sizes.h"
-#include "compare/ladder/ladder_tables.h"
+#include "compare/ladder/ladder_report.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
 #include "compare/report/sentences.h"

@@ -1,4 +1,4 @@
-#include "compare/ladder/ladder_tables.h"
+#include "compare/ladder/ladder_report.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/ladder/variation.h"
 #include "compare/report/numbers.h"
 
 namespace tw {

@@ -1,14 +1,18 @@
-#include "compare/ladder/variation.h"
-#include "methods/methods.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "compare/ladder/steps.h"
+#include "methods/methods.h"
+
 namespace tw {
 
 namespace {
+
+/// Below this factor in time steps, or in the water's cross section, a choice has not changed what it was to change:
+/// the share extrapolated from it would be more than six times the change seen.
+constexpr double least_change = 1.2;
 
 double steps_per_second(const LadderRun& run) { return run.duration > 0 ? run.steps / run.duration : run.steps; }
 

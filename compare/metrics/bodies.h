@@ -17,6 +17,12 @@ namespace tw {
 /// the velocities differ least, and the ratio of the impulses.
 void add_bodies(Comparison& comparison);
 
+/// Of every strain gauge on a body that bends (columns without a unit of the tables body_NAME, but for the attitude's):
+///   strain_peak:BODY:GAUGE   the largest strain by magnitude, with its sign, over the time that all records cover [-]
+/// Where one record's plate bends in the water and another's is rigid (attribute `structure`), a banner says so, and the
+/// caveat of everything that is compared of the body: the difference contains the compliance. Call it after add_bodies.
+void add_gauges(Comparison& comparison);
+
 /// The lag [s] by which `b` comes later than `a`: that of the least mean square of the difference of the two histories
 /// where both are known, within a tenth of the time that they share; NaN where they share none.
 double lag_of(std::span<const double> ta, std::span<const double> a, std::span<const double> tb,

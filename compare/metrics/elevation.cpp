@@ -7,10 +7,13 @@
 #include <limits>
 
 #include "base/numbers.h"
-#include "statistics/time_bins.h"
+#include "compare/metrics/quantity.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/solid_voxels.h"
+#include "compare/metrics/splash.h"
+#include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
+#include "statistics/student_t.h"
+#include "statistics/time_bins.h"
 
 namespace tw {
 
@@ -132,6 +135,49 @@ double rms_difference(const Cut& a, const Cut& b) {
         ++count;
     }
     return count > 0 ? std::sqrt(squares / count) : nan;
+}
+
+void add_elevation(Comparison& comparison, const CompareOptions& options) {
+    // A source without raster frames (an experiment) has no cuts, wherever it stands in the list.
+    const auto with_cuts = std::ranges::find_if(comparison.analyses, [](const Analysis& a) { return !a.cuts.empty(); });
+    if (with_cuts == comparison.analyses.end()) return;
+    const auto& first = with_cuts->cuts;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const std::string place = fmt::format("{} = {:.4g} m", first[k].along_x ? "y" : "x", first[k].place);
+        for (const bool high : {true, false}) {
+            Quantity q = new_quantity(
+                fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place),
+                fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place), "m",
+                "of the mean free surface (column integral of the connected water) over this cut, outside the hull's "
+                "plan "
+                "view; no better than half a voxel");
+            for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
+                const Analysis& a = comparison.analyses[s];
+                const RunRecord& record = comparison.sources[s];
+                if (k >= a.cuts.size()) {
+                    q.values.push_back(value_of_frames(nan, 0, 0, record, "no raster frames"));
+                    continue;
+                }
+                const Extreme e = high ? crest(a.cuts[k]) : trough(a.cuts[k]);
+                const auto frames = static_cast<double>(std::ranges::count_if(
+                    record.frames, [&](const RasterFrame& f) { return f.time >= a.surface_from; }));
+                const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
+                q.values.push_back(value_of_frames(e.value, statistical, 0.5 * record.raster.voxel, record,
+                                                   "no free surface on this cut"));
+                withhold_if_short(q.values.back(), a, record, options);
+            }
+            q.scale = comparison.sources.front().raster.voxel;  // an elevation near zero is no measure of itself
+            judge(q, comparison.names, comparison.agree_within);
+            const std::string whole = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+                const auto &A = comparison.analyses[a].cuts, &B = comparison.analyses[b].cuts;
+                const double rms = high && k < std::min(A.size(), B.size()) ? rms_difference(A[k], B[k]) : NAN;
+                return std::isfinite(rms) ? fmt::format("whole cut: root mean square difference {:.2g} m", rms)
+                                          : std::string();
+            });
+            if (!whole.empty()) q.remark += (q.remark.empty() ? "" : "; ") + whole;
+            comparison.quantities.push_back(std::move(q));
+        }
+    }
 }
 
 }  // namespace tw

@@ -27,4 +27,8 @@ Extreme trough(const Cut& cut);
 /// Root mean square of B - A over the positions both know, linear in between [m]; NaN when they share none.
 double rms_difference(const Cut& a, const Cut& b);
 
+/// crest_y_PLACE, trough_y_PLACE, crest_x_PLACE, trough_x_PLACE [m] of a comparison whose analyses are filled: the
+/// highest and lowest point of each cut that the first source with cuts has.
+void add_elevation(Comparison& comparison, const CompareOptions& options);
+
 }  // namespace tw

@@ -19,17 +19,11 @@ void add_forces(Comparison& comparison, const CompareOptions& options);
 /// where no record has the line. The remark has the coefficients over rho U^2/2 S: C_T of the total, C_F of friction.
 void add_total_drag(Comparison& comparison, const CompareOptions& options);
 
-/// Wetted length [m].
 /// The total drag, or the drag itself where every source has friction in it; null: it is not known.
 const Quantity* resistance_of(const Comparison& comparison);
 /// Effective power and resistance coefficient of that, beside the verdict (names effective_power, resistance_coefficient).
 void add_resistance(Comparison& comparison, const CompareOptions& options);
+/// Wetted length [m].
 void add_wetted_length(Comparison& comparison, const CompareOptions& options);
-
-/// Quantities per pressure and height probe of any source. `pressure:P1`: the raw peak, with the root mean square
-/// difference of the histories in the remark, never judged. Judged by a ladder: `pressure_mean:P1`, the time mean; and in
-/// tanks `pressure_peak:P1`, the largest mean over 5 ms or the probe's filter, `pressure_p99:P1`, exceeded 1 % of the time, and
-/// `pressure_arrival:P1` [s] (metrics/probe_peaks.h).
-void add_probes(Comparison& comparison, const CompareOptions& options);
 
 }  // namespace tw

@@ -27,22 +27,9 @@ constexpr double share_of_first = 0.05;  ///< smaller swings are left out: noise
 constexpr double largest_misfit = 0.15;  ///< root mean square over the first swing: what is left is no free decay
 constexpr double smallest_share = 1e-3;  ///< of the body's length, or of a radian: smaller motions are none
 
-struct Extreme {
-    double t, x;
-};
-
-/// The parabola's through a sample and its neighbours.
-Extreme peak_at(std::span<const double> t, std::span<const double> x, std::size_t i, double level) {
-    if (i == 0 || i + 1 == x.size()) return {t[i], x[i] - level};
-    const double h1 = t[i] - t[i - 1], h2 = t[i + 1] - t[i], d1 = (x[i] - x[i - 1]) / h1, d2 = (x[i + 1] - x[i]) / h2,
-                 bend = (d2 - d1) / (h1 + h2), slope = d1 + bend * h1,
-                 at = bend == 0 ? 0 : std::clamp(-slope / (2 * bend), -h1, h2);
-    return {t[i] + at, x[i] - level + slope * at + bend * at * at};
-}
-
 /// Highest and lowest values between crossings of a level, from the first extreme on that lies within the record.
-std::vector<Extreme> extremes_about(std::span<const double> t, std::span<const double> x, double level) {
-    std::vector<Extreme> out;
+std::vector<TurningPoint> extremes_about(std::span<const double> t, std::span<const double> x, double level) {
+    std::vector<TurningPoint> out;
     std::size_t from = 0;
     for (std::size_t i = 1; i <= x.size(); ++i) {
         if (i < x.size() && (x[i] - level) * (x[from] - level) > 0) continue;
@@ -50,17 +37,17 @@ std::vector<Extreme> extremes_about(std::span<const double> t, std::span<const d
         for (std::size_t j = from; j < i; ++j)
             if (std::abs(x[j] - level) > std::abs(x[best] - level)) best = j;
         // a release is an extreme though it stands at the record's edge; what is cut off at its end is none
-        if (i < x.size()) out.push_back(peak_at(t, x, best, level));
+        if (i < x.size()) out.push_back(turning_point(t, x, best, level));
         from = i;
     }
     return out;
 }
 
 /// Where swings are smaller than a share of the first they end.
-void leave_small_ones(std::vector<Extreme>& extremes, double smallest) {
+void leave_small_ones(std::vector<TurningPoint>& extremes, double smallest) {
     if (extremes.empty()) return;
     const double least = std::max(share_of_first * std::abs(extremes.front().x), smallest);
-    const auto end = std::ranges::find_if(extremes, [&](const Extreme& e) { return std::abs(e.x) < least; });
+    const auto end = std::ranges::find_if(extremes, [&](const TurningPoint& e) { return std::abs(e.x) < least; });
     extremes.erase(end, extremes.end());
 }
 
@@ -122,7 +109,7 @@ FreeDecay free_decay(std::span<const double> t, std::span<const double> x, doubl
     double level = 0;
     const std::size_t last = t.size() - t.size() / 3;
     for (std::size_t i = last; i < t.size(); ++i) level += x[i] / static_cast<double>(t.size() - last);
-    std::vector<Extreme> extremes;
+    std::vector<TurningPoint> extremes;
     Fit fit;
     for (int round = 0; round < 3; ++round) {
         extremes = extremes_about(t, x, level);

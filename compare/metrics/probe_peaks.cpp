@@ -1,4 +1,4 @@
-#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/probes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +35,14 @@ double largest_in_stretch(std::span<const double> t, std::span<const double> x, 
             if (!(most >= mean)) most = mean;
         }
     return most;
+}
+
+/// Half of the time in which water that falls from the height at which it is let go, sqrt(2 g H), crosses one spacing or
+/// cell at the hull [s]: no place is finer. 0 where none is let go.
+double half_a_spacing_in_time(const RunRecord& record);
+double half_a_spacing_in_time(const RunRecord& record) {
+    const double fall = 2 * number_of(record, "gravity", 0) * number_of(record, "released_height", 0);
+    return fall > 0 ? reading_of_height(record).above / std::sqrt(fall) : 0;
 }
 
 }  // namespace
@@ -98,6 +106,29 @@ double arrival_time(std::span<const double> t, std::span<const double> x, double
         return t[i - 1] + (t[i] - t[i - 1]) * (threshold - x[i - 1]) / (x[i] - x[i - 1]);
     }
     return nan;
+}
+
+ReadingBounds reading_of_arrival(std::span<const double> t, std::span<const double> x, double first, double peak,
+                                 const RunRecord& record) {
+    const auto passes = [&](double share) { return arrival_time(t, x, first + share * (peak - first)); };
+    const auto length = [](double seconds) { return std::isfinite(seconds) ? std::max(0.0, seconds) : 0; };
+    const double arrives = passes(arrival_share);
+    const auto after = std::ranges::lower_bound(t, arrives);  // of the pair of samples between which it arrives
+    const double between = after != t.begin() && after != t.end() ? *after - *std::prev(after) : 0,
+                 sides = std::hypot(half_a_spacing_in_time(record), between / 2);
+    return {std::hypot(sides, length(arrives - passes(arrival_share / 2))),
+            std::hypot(sides, length(passes(2 * arrival_share) - arrives))};
+}
+
+ReadingBounds reading_of_height(const RunRecord& record) {
+    const double half = number_of(record, "near_hull", 0) / 2;
+    return {half, half};
+}
+
+void set_reading(MeanValue& value, const ReadingBounds& reading, const char* of) {
+    if (!value.known) return;
+    value.reading_below = reading.below, value.reading_above = reading.above;
+    value.reading_of = of;
 }
 
 }  // namespace tw

@@ -7,9 +7,8 @@
 #include <set>
 
 #include "compare/metrics/forces.h"
-#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/probes.h"
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/readings.h"
 #include "compare/metrics/sound.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"

@@ -19,6 +19,22 @@ inline Quantity new_quantity(std::string name, std::string label, std::string un
     return q;
 }
 
+/// A value that is missing, and why.
+inline MeanValue unknown_value(const std::string& why) {
+    MeanValue m;
+    m.why_not = why;
+    return m;
+}
+/// A value from `from` to `to` [s]; `half_width`: of its 95 % interval, NaN: not known.
+inline MeanValue known_value(double value, double half_width, double from, double to) {
+    MeanValue m;
+    m.known = true;
+    m.value = value;
+    m.half_width = half_width;
+    m.from = from, m.to = to;
+    return m;
+}
+
 /// What is to be said of every two sources: of only two as it is, of more behind their names. `say(a, b)`: of these
 /// places; empty: nothing.
 template <class Say>

@@ -13,8 +13,10 @@ inline constexpr std::uint8_t half_full = 128;  ///< the first that is at least 
 /// hull, high above a calm surface.
 inline constexpr std::uint8_t least_share = 3;
 
-// `solid`: solid_voxels(), the share of each voxel that solids at rest take; empty: there are none.
+/// Share of each voxel of the record's raster that solids at rest (record/solid_at_rest.h) take, in 255ths as that of
+/// water; empty: there are none. Exact in height, along nine vertical lines through each column (one in two dimensions).
 using SolidVoxels = std::vector<std::uint8_t>;
+SolidVoxels solid_voxels(const RunRecord& record);
 
 /// 1 for each voxel of the main water body: water in at least half of what solids leave of it, in the largest set
 /// connected through faces, edges or corners (26 neighbours).

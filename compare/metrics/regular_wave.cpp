@@ -11,9 +11,7 @@
 #include <set>
 
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/wave_forces.h"
-#include "compare/metrics/wave_periods.h"
-#include "compare/metrics/wave_samples.h"
+#include "compare/metrics/wave_analysis.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
 #include "statistics/student_t.h"
@@ -185,13 +183,8 @@ Reflection reflection_in(const RunRecord& r, const std::set<std::string>& gauges
         losses.push_back(100 * (1 - std::exp(-here.kappa.imag() * length)));
     }
     if (ratios.size() < 3) return out;
-    const auto n = static_cast<double>(ratios.size());
-    std::complex<double> mean = 0;
-    double squares = 0;
-    for (const auto& ratio : ratios) mean += ratio / n;
-    for (const auto& ratio : ratios) squares += std::norm(ratio - mean);
-    out.reflected = known_value(100 * std::abs(mean), 100 * student_t_95(n - 1) * std::sqrt(squares / (n - 1) / n),
-                                periods.from, end);
+    const IndependentComplexMean mean = mean_of_independent(ratios);
+    out.reflected = known_value(100 * std::abs(mean.value), 100 * mean.half_width, periods.from, end);
     out.loss = mean_over(losses, periods);
     return out;
 }

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "compare/compare.h"
-#include "compare/metrics/wave_parts.h"
+#include "compare/metrics/wave_samples.h"
 
 namespace tw {
 
@@ -23,6 +23,8 @@ namespace tw {
 ///   wave_loss            of three gauges or more: what the incident wave loses of its height in one of its lengths [%]
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);
+/// The part of it that speaks of forces, over the periods that are judged (wave_forces.cpp).
+void add_wave_forces(Comparison& comparison, const WavePeriods& periods);
 
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);

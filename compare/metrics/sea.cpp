@@ -13,9 +13,8 @@
 #include <sstream>
 
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/regular_wave.h"
+#include "compare/metrics/wave_analysis.h"
 #include "compare/metrics/wave_samples.h"
-#include "compare/metrics/wave_spectrum.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
 #include "statistics/student_t.h"
@@ -56,13 +55,7 @@ SeaAsked sea_of(const Comparison& c) {
         for (Component w; text >> w.f >> w.k >> w.amplitude >> w.phase;) sea.waves.push_back(w);
     }
     if (sea.waves.empty() || !(sea.peak_period > 0)) return {};
-    double from = 0, to = HUGE_VAL;
-    for (const RunRecord& r : c.sources) {
-        const auto table = r.tables.find("height");
-        if (table == r.tables.end() || table->second.time.empty()) continue;
-        from = std::max({from, table->second.time.front(), number_of(r, "mean_from", 0)});
-        to = std::min(to, table->second.time.back());
-    }
+    const auto [from, to] = common_time(c, [](const std::string& table) { return table == "height"; });
     if (!std::isfinite(to)) return {};
     const double repeats = sea.repeat > 0 ? std::floor((to - from) / sea.repeat + 1e-3) : 0;
     sea.whole = repeats >= 1;
@@ -100,30 +93,6 @@ std::complex<double> line_of(const Levels& levels, double from, double f) {
     for (std::size_t i = 0; i < levels.values.size(); ++i)
         A += levels.values[i] * std::polar(1.0, 2 * pi * f * (from + static_cast<double>(i) * levels.step));
     return 2.0 / static_cast<double>(levels.values.size()) * A;
-}
-
-double peak_period_of(std::span<const double> f, std::span<const double> energy) {
-    double most = 0, above = 0, below = 0;
-    for (const double e : energy) most = std::max(most, e);
-    for (std::size_t n = 0; n < f.size(); ++n) {
-        const double weight = std::pow(energy[n] / most, 4);
-        above += weight, below += f[n] * weight;
-    }
-    return above / below;
-}
-
-/// Lines of a record that is no whole number of repeat periods scatter: means over a tenth of the peak's frequency to both
-/// sides.
-std::vector<double> smoothed(const WaveSpectrum& s, double reach) {
-    std::vector<double> out;
-    for (std::size_t n = 0; n < s.f.size(); ++n) {
-        double sum = 0;
-        int count = 0;
-        for (std::size_t m = 0; m < s.f.size(); ++m)
-            if (std::abs(s.f[m] - s.f[n]) <= reach) sum += s.energy[m], ++count;
-        out.push_back(sum / count);
-    }
-    return out;
 }
 
 void add_judged(Comparison& comparison, Quantity q, double theory, double half_width = 0) {
@@ -287,13 +256,9 @@ void add_focused(Comparison& comparison, const SeaAsked& sea, const std::string&
             crest.values.push_back(none), time.values.push_back(none);
             continue;
         }
-        // parabola through the highest sample and its neighbours
-        const double h1 = s.t[best] - s.t[best - 1], h2 = s.t[best + 1] - s.t[best],
-                     d1 = (s.x[best] - s.x[best - 1]) / h1, d2 = (s.x[best + 1] - s.x[best]) / h2,
-                     bend = (d2 - d1) / (h1 + h2), slope = d1 + bend * h1, dt = bend < 0 ? -slope / (2 * bend) : 0;
-        const double at = std::clamp(dt, -h1, h2);
-        crest.values.push_back(known_value(s.x[best] + slope * at + bend * at * at, NAN, focus, focus));
-        time.values.push_back(known_value(s.t[best] + at, NAN, focus, focus));
+        const TurningPoint highest = turning_point(s.t, s.x, best, 0);
+        crest.values.push_back(known_value(highest.x, NAN, focus, focus));
+        time.values.push_back(known_value(highest.t, NAN, focus, focus));
     }
     const std::string crest_name = crest.name, time_name = time.name;
     time.scale = sea.peak_period;

@@ -7,7 +7,6 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/solid_voxels.h"
 #include "compare/metrics/wave_surface.h"
 #include "record/record_numbers.h"
 

@@ -38,4 +38,16 @@ struct WakeWidth {
 };
 WakeWidth wake_width(const RunRecord& record, const std::vector<float>& envelope, double still_level);
 
+/// Splash table, elevation map and cuts, envelope of one record.
+Analysis analyse(const RunRecord& record);
+/// Splash heights, raised and airborne water, envelope and wake width of a comparison whose analyses are filled.
+void add_splash(Comparison& comparison, const CompareOptions& options);
+
+/// A value from single frames rather than from a series, known no better than `floor`; `why_not`: where it is no number.
+MeanValue value_of_frames(double value, double half_width, double floor, const RunRecord& record,
+                          const std::string& why_not);
+/// A mean surface or an envelope from less settled time than a mean needs is withheld like one.
+void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunRecord& record,
+                       const CompareOptions& options);
+
 }  // namespace tw

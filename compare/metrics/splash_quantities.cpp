@@ -1,4 +1,4 @@
-#include "compare/metrics/splash_quantities.h"
+#include "compare/metrics/splash.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"
 #include "compare/metrics/quantity.h"
-#include "compare/metrics/splash.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/hull_motion.h"
@@ -20,7 +19,6 @@
 #include "record/spray_jet.h"
 #include "statistics/flow_through.h"
 #include "statistics/settled_mean.h"
-#include "statistics/student_t.h"
 
 namespace tw {
 
@@ -51,38 +49,6 @@ void widen_to(MeanValue& value, double floor) {
     if (!value.known || value.half_width >= floor) return;
     value.half_width = floor;
     value.limited_by = fmt::format("the raster ({:.2g} m)", floor);
-}
-
-/// A value from single frames rather than from a series.
-MeanValue single(double value, double half_width, double floor, const RunRecord& record, const std::string& why_not) {
-    MeanValue m;
-    if (!std::isfinite(value)) {
-        m.why_not = why_not;
-        return m;
-    }
-    m.known = true;
-    m.value = value;
-    m.half_width = half_width;
-    m.from = number_of(record, "mean_from", 0);
-    m.to = record.frames.empty() ? 0 : record.frames.back().time;
-    widen_to(m, floor);
-    return m;
-}
-
-/// A mean surface or an envelope from less settled time than a mean needs is withheld like one.
-void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunRecord& record,
-                       const CompareOptions& options) {
-    const double needed = options.fewest_flow_throughs * flow_through_time(record);
-    const double window = record.frames.empty() ? 0 : record.frames.back().time - analysis.settled_from;
-    // Frames are a sampling interval apart: the last may lie that much before the end.
-    const double interval =
-        record.frames.size() > 1 ? record.frames.back().time - record.frames[record.frames.size() - 2].time : 0;
-    if (!value.known || !is_stream(record) || window + interval >= needed) return;
-    value = {};
-    value.seconds_needed = needed - window;
-    value.why_not =
-        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s needed; about {:.2g} s more is needed",
-                    std::max(window, 0.0), needed, value.seconds_needed);
 }
 
 /// Why what the jet throws is not judged: of the runs that know their jet, the one with the fewest spacings across it.
@@ -119,6 +85,37 @@ bool has_frames(const Comparison& c) {
 }
 
 }  // namespace
+
+MeanValue value_of_frames(double value, double half_width, double floor, const RunRecord& record,
+                          const std::string& why_not) {
+    MeanValue m;
+    if (!std::isfinite(value)) {
+        m.why_not = why_not;
+        return m;
+    }
+    m.known = true;
+    m.value = value;
+    m.half_width = half_width;
+    m.from = number_of(record, "mean_from", 0);
+    m.to = record.frames.empty() ? 0 : record.frames.back().time;
+    widen_to(m, floor);
+    return m;
+}
+
+void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunRecord& record,
+                       const CompareOptions& options) {
+    const double needed = options.fewest_flow_throughs * flow_through_time(record);
+    const double window = record.frames.empty() ? 0 : record.frames.back().time - analysis.settled_from;
+    // Frames are a sampling interval apart: the last may lie that much before the end.
+    const double interval =
+        record.frames.size() > 1 ? record.frames.back().time - record.frames[record.frames.size() - 2].time : 0;
+    if (!value.known || !is_stream(record) || window + interval >= needed) return;
+    value = {};
+    value.seconds_needed = needed - window;
+    value.why_not =
+        fmt::format("record too short: {:.2g} s of settled frames, {:.2g} s needed; about {:.2g} s more is needed",
+                    std::max(window, 0.0), needed, value.seconds_needed);
+}
 
 void add_splash(Comparison& comparison, const CompareOptions& options) {
     if (!has_frames(comparison)) return;
@@ -166,8 +163,8 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
             if (!column) {
                 value.why_not = "no raster frames";
             } else if (!stream) {
-                value = single(largest(comparison.analyses[s].splash, *column, tank_from), 0, floor, record,
-                               "no airborne water");
+                value = value_of_frames(largest(comparison.analyses[s].splash, *column, tank_from), 0, floor, record,
+                                        "no airborne water");
             } else {
                 SettledRules rules;
                 rules.from = comparison.analyses[s].settled_from;
@@ -218,16 +215,16 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         double highest = std::numeric_limits<double>::quiet_NaN();
         for (const float z : a.envelope)
             if (std::isfinite(z) && !(highest >= z - a.still_level)) highest = z - a.still_level;
-        envelope.values.push_back(single(highest, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
+        envelope.values.push_back(value_of_frames(highest, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
         withhold_if_cut_off(envelope.values.back(), highest, a.still_level, record);
         const Column* heights = a.splash.find("raw_height");
         const double droplet =
             heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
-        raw.values.push_back(single(droplet, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
+        raw.values.push_back(value_of_frames(droplet, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
         const WakeWidth found = wake_width(record, a.envelope, a.still_level);
-        wake.values.push_back(single(found.mean, 0,
-                                     number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.voxel, record,
-                                     record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
+        wake.values.push_back(
+            value_of_frames(found.mean, 0, number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.voxel,
+                            record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
         withhold_if_short(wake.values.back(), a, record, options);
         const double widest =
             number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.voxel;
@@ -247,50 +244,6 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         })) {
         judge(wake, comparison.names, comparison.agree_within);
         comparison.quantities.push_back(std::move(wake));
-    }
-}
-
-void add_elevation(Comparison& comparison, const CompareOptions& options) {
-    // A source without raster frames (an experiment) has no cuts, wherever it stands in the list.
-    const auto with_cuts = std::ranges::find_if(comparison.analyses, [](const Analysis& a) { return !a.cuts.empty(); });
-    if (with_cuts == comparison.analyses.end()) return;
-    const auto& first = with_cuts->cuts;
-    for (std::size_t k = 0; k < first.size(); ++k) {
-        const std::string place = fmt::format("{} = {:.4g} m", first[k].along_x ? "y" : "x", first[k].place);
-        for (const bool high : {true, false}) {
-            Quantity q = new_quantity(
-                fmt::format("{}_{}_{:.4g}", high ? "crest" : "trough", first[k].along_x ? "y" : "x", first[k].place),
-                fmt::format("{} along {}", high ? "Highest elevation" : "Lowest elevation", place), "m",
-                "of the mean free surface (column integral of the connected water) over this cut, outside the hull's "
-                "plan "
-                "view; no better than half a voxel");
-            for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
-                const Analysis& a = comparison.analyses[s];
-                const RunRecord& record = comparison.sources[s];
-                if (k >= a.cuts.size()) {
-                    q.values.push_back(
-                        single(std::numeric_limits<double>::quiet_NaN(), 0, 0, record, "no raster frames"));
-                    continue;
-                }
-                const Extreme e = high ? crest(a.cuts[k]) : trough(a.cuts[k]);
-                const auto frames = static_cast<double>(std::ranges::count_if(
-                    record.frames, [&](const RasterFrame& f) { return f.time >= a.surface_from; }));
-                const double statistical = frames > 1 ? student_t_95(frames - 1) * e.deviation / std::sqrt(frames) : 0;
-                q.values.push_back(
-                    single(e.value, statistical, 0.5 * record.raster.voxel, record, "no free surface on this cut"));
-                withhold_if_short(q.values.back(), a, record, options);
-            }
-            q.scale = comparison.sources.front().raster.voxel;  // an elevation near zero is no measure of itself
-            judge(q, comparison.names, comparison.agree_within);
-            const std::string whole = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
-                const auto &A = comparison.analyses[a].cuts, &B = comparison.analyses[b].cuts;
-                const double rms = high && k < std::min(A.size(), B.size()) ? rms_difference(A[k], B[k]) : NAN;
-                return std::isfinite(rms) ? fmt::format("whole cut: root mean square difference {:.2g} m", rms)
-                                          : std::string();
-            });
-            if (!whole.empty()) q.remark += (q.remark.empty() ? "" : "; ") + whole;
-            comparison.quantities.push_back(std::move(q));
-        }
     }
 }
 

@@ -10,7 +10,7 @@
 
 #include "base/numbers.h"
 #include "statistics/time_bins.h"
-#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/probes.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/sound.h"
 #include "record/record_numbers.h"

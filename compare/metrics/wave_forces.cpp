@@ -1,5 +1,3 @@
-#include "compare/metrics/wave_forces.h"
-
 #include <fmt/format.h>
 
 #include <complex>

@@ -19,6 +19,10 @@ ReportTable effects_table(const Comparison& comparison);
 ReportTable cost_table(const Comparison& comparison);
 ReportTable provenance_table(const Comparison& comparison);
 
+/// Where a run has several sizes of particles: who is in each at the last frame, what passed the edge of its zone, and
+/// its part of the time. Empty where all runs have one size.
+ReportTable levels_table(const Comparison& comparison);
+
 /// A verdict in words, with the mark that makes it stand out.
 ReportCell verdict_cell(Verdict verdict);
 

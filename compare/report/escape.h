@@ -17,4 +17,7 @@ std::string shell_file(const std::string& name);
 /// become ?, so that no scene, record or table steers it.
 std::string for_terminal(std::string_view text);
 
+/// Bytes for a data URL or a script.
+std::string base64(std::string_view bytes);
+
 }  // namespace tw

@@ -7,14 +7,14 @@
 #include <set>
 #include <tuple>
 
-#include "statistics/time_bins.h"
-#include "record/record_numbers.h"
-#include "compare/report/base64.h"
-#include "compare/report/drawn_bodies.h"
+#include "compare/report/drawn_solids.h"
+#include "compare/report/escape.h"
 #include "compare/report/resolution_picture.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
 #include "record/hull_motion.h"
+#include "record/record_numbers.h"
+#include "statistics/time_bins.h"
 
 namespace tw {
 

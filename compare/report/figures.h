@@ -4,7 +4,7 @@
 
 #include "compare/compare.h"
 #include "compare/report/pictures.h"
-#include "compare/report/plot_data.h"
+#include "compare/report/svg_plot.h"
 
 namespace tw {
 

@@ -1,4 +1,4 @@
-#include "compare/report/levels_table.h"
+#include "compare/report/comparison_tables.h"
 
 #include <algorithm>
 #include <cmath>

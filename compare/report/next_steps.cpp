@@ -1,5 +1,3 @@
-#include "compare/report/next_steps.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "compare/report/escape.h"
+#include "compare/report/first_screen.h"
 #include "compare/report/numbers.h"
 #include "compare/report/sentences.h"
 #include "compare/verdict/quantity_kinds.h"

@@ -25,10 +25,9 @@
 
 #include "base/errors.h"
 #include "compare/metrics/raster_columns.h"
-#include "record/record_numbers.h"
-#include "compare/report/drawn_bodies.h"
+#include "compare/report/drawn_solids.h"
 #include "compare/report/egl_window.h"
-#include "compare/report/hull_pressure.h"
+#include "record/record_numbers.h"
 #include "record/vtk_surface.h"
 
 namespace tw {

@@ -1,12 +1,12 @@
-#include "compare/report/plot_data.h"
+#include "compare/report/svg_plot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/base64.h"
-#include "compare/report/page_scripts.h"
+#include "compare/report/escape.h"
+#include "compare/report/page.h"
 
 namespace tw {
 namespace {

@@ -6,17 +6,14 @@
 #include <cmath>
 #include <sstream>
 
-#include "record/record_numbers.h"
-#include "compare/report/base64.h"
 #include "compare/report/comparison_tables.h"
-#include "compare/report/drawn_bodies.h"
+#include "compare/report/drawn_solids.h"
 #include "compare/report/escape.h"
 #include "compare/report/first_screen.h"
-#include "compare/report/levels_table.h"
 #include "compare/report/page.h"
-#include "compare/report/page_scripts.h"
 #include "compare/report/view3d.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

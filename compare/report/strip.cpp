@@ -1,11 +1,10 @@
-#include "compare/report/strip.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "compare/report/escape.h"
+#include "compare/report/first_screen.h"
 #include "compare/report/svg_plot.h"
 
 namespace tw {

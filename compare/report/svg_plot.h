@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,5 +80,38 @@ std::vector<double> ticks(double low, double high, int about);
 std::string tick_text(double value, double step);
 /// Decades within [low, high], and 2 and 5 of each where there are fewer than four; 0 < low.
 std::vector<double> log_ticks(double low, double high);
+
+/// A plot of the page: the drawing, and the block from which plots.js makes it one with values and zoom.
+struct LivePlot {
+    std::string svg, data;  ///< data: empty for maps, boxes and where there is nothing to draw
+};
+LivePlot live_plot(const Plot& plot);
+
+/// The curves, bands and levels of a plot as a block of JSON within markup. Long series are thinned to
+/// `most_plot_columns` columns, which keep their extremes.
+std::string plot_data(const Plot& plot);
+inline constexpr int most_plot_columns = 1000;
+
+/// The plot as a <figure>; without the data in a build that has no script to read it.
+std::string figure_html(const LivePlot& plot);
+
+/// A rectangle on a drawing, y down [px].
+struct DrawnBox {
+    double left = 0, top = 0, right = 0, bottom = 0;
+    bool overlaps(const DrawnBox& b) const {
+        return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
+    }
+    bool holds(const DrawnBox& b) const {
+        return left <= b.left && b.right <= right && top <= b.top && b.bottom <= bottom;
+    }
+};
+/// One with a label of this width.
+struct LabelBox : DrawnBox {
+    double label_width = 0;
+};
+
+/// Where the labels of boxes stand: in a corner of their box or beside it, within the frame, on no other label, and
+/// across as few edges of boxes as can be. The smallest boxes, which have the least choice, come first. None: no room.
+std::vector<std::optional<DrawnBox>> label_places(const std::vector<LabelBox>& boxes, const DrawnBox& frame);
 
 }  // namespace tw

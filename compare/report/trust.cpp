@@ -1,15 +1,14 @@
-#include "compare/report/trust.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "compare/gates/gates.h"
-#include "record/record_numbers.h"
+#include "compare/report/first_screen.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 

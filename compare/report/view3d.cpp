@@ -10,15 +10,13 @@
 #include <string_view>
 
 #include "compare/metrics/raster_columns.h"
-#include "record/record_numbers.h"
 #include "compare/report/colours.h"
-#include "compare/report/drawn_bodies.h"
+#include "compare/report/drawn_solids.h"
 #include "compare/report/escape.h"
-#include "compare/report/hull_pressure.h"
-#include "compare/report/page_scripts.h"
+#include "compare/report/page.h"
 #include "compare/report/pictures.h"
-#include "compare/report/view3d_mesh.h"
 #include "methods/methods.h"
+#include "record/record_numbers.h"
 #include "record/water_surface.h"
 
 namespace tw {

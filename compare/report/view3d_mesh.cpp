@@ -1,4 +1,4 @@
-#include "compare/report/view3d_mesh.h"
+#include "compare/report/view3d.h"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -14,7 +14,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "compare/report/base64.h"
+#include "compare/report/escape.h"
 #include "meshes/part_of.h"
 #include "record/vtk_surface.h"
 

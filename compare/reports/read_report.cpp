@@ -1,4 +1,4 @@
-#include "compare/reports/read_report.h"
+#include "compare/reports/two_reports.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "compare/report/numbers.h"
+#include "compare/report/report_table.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
 #include "text/plain_number.h"

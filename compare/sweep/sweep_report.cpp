@@ -185,9 +185,8 @@ std::string sweep_text(const Sweep& sweep) {
 
 std::string sweep_html(const Sweep& sweep) {
     const auto good = std::ranges::count_if(sweep.members, [](const SweepMember& m) { return m.why_not.empty(); });
-    return page_begin(sweep.title) + "<h1>" + escaped(sweep.title) + "</h1><p class=\"sub\">" +
-           fmt::format("{} scenes, {} compared</p>", sweep.members.size(), good) + curves(sweep) +
-           html_of(tables_of(sweep)) + page_end;
+    return page_begin_with(sweep.title, fmt::format("{} scenes, {} compared", sweep.members.size(), good)) +
+           curves(sweep) + html_of(tables_of(sweep)) + page_end;
 }
 
 std::string sweep_json(const Sweep& sweep) {

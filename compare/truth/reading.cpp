@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/probes.h"
 #include "compare/metrics/quantity.h"
 #include "compare/verdict/judge.h"
 #include "statistics/time_bins.h"

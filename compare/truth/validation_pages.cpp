@@ -7,7 +7,6 @@
 
 #include "base/errors.h"
 #include "compare/truth/validation_report.h"
-#include "compare/truth/validation_tables.h"
 
 namespace tw {
 namespace {

@@ -10,7 +10,6 @@
 #include "compare/report/numbers.h"
 #include "compare/report/page.h"
 #include "compare/report/svg_plot.h"
-#include "compare/truth/validation_tables.h"
 #include "methods/methods.h"
 
 namespace tw {
@@ -73,8 +72,7 @@ std::string validation_text(const ValidationReport& report, const std::vector<Va
 
 std::string validation_html(const ValidationReport& report, const std::vector<ValidationChange>& changes,
                             const std::string& since) {
-    std::string page = page_begin(report.title) + "<h1>" + escaped(report.title) + "</h1><p class=\"sub\">" +
-                       escaped(facts_of(report)) + "</p>";
+    std::string page = page_begin_with(report.title, facts_of(report));
     if (!since.empty()) {
         page += html_of(change_table(changes, since));
         if (changes.empty()) page += "<p>Nothing changed since " + escaped(since) + ".</p>";

@@ -1,4 +1,4 @@
-#include "compare/truth/validation_tables.h"
+#include "compare/truth/validation_report.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "compare/uncertainty/eca_hoekstra.h"
 #include "compare/uncertainty/study_level.h"
 #include "compare/uncertainty/trend_noise.h"
-#include "compare/uncertainty/triplet_estimates.h"
+#include "compare/uncertainty/triplet.h"
 
 namespace tw {
 

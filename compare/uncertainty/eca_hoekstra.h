@@ -34,7 +34,7 @@ std::string to_string(ErrorFit fit);
 ///   U    = Fs eps + sigma + |phi_i - phi_fit|                   sigma <  Dphi
 ///   U    = 3 (sigma/Dphi) (eps + sigma + |phi_i - phi_fit|)     sigma >= Dphi
 ///
-/// The class: scattered where sigma >= Dphi; else that of the three finest levels (triplet.h) where every change is
+/// The class: scattered where sigma >= Dphi; else that of the three finest levels (Triplet) where every change is
 /// against the one before; else divergent where p <= 0, and monotone, apart from a scatter of sigma, where p > 0. No U
 /// is given where divergent. The paper's bounds on p are those of a scheme of nominally second order.
 ///

@@ -10,7 +10,7 @@
 
 #include "base/atomic_file.h"
 #include "compare/compare.h"
-#include "compare/report/page_scripts.h"
+#include "compare/report/page.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
 

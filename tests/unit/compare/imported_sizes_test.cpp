@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "compare/ladder/ladder.h"
+#include "compare/ladder/ladder_report.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {

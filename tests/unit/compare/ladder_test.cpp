@@ -4,7 +4,8 @@
 
 #include "base/errors.h"
 #include "compare/ladder/ladder.h"
-#include "compare/uncertainty/read_table.h"
+#include "compare/ladder/ladder_report.h"
+#include "compare/uncertainty/refinement_table.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {

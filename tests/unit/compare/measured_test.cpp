@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "compare/compare.h"
-#include "compare/report/trust.h"
+#include "compare/report/first_screen.h"
 #include "record/measured_value.h"
 #include "synthetic_pair.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/metrics/probe_peaks.h"
+#include "compare/metrics/probes.h"
 
 namespace tw {
 namespace probe_peaks_test {

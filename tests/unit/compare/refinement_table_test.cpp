@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/uncertainty/read_table.h"
+#include "compare/uncertainty/refinement_table.h"
 #include "compare/uncertainty/report_uncertainty.h"
 #include "tests/unit/compare/refinement_studies.h"
 

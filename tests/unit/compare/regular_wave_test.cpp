@@ -1,5 +1,6 @@
 // What gauges tell of a regular wave: height, crest and trough over whole periods, and the part that comes back.
 #include "compare/metrics/regular_wave.h"
+#include "compare/metrics/wave_analysis.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,9 @@
 #include "base/atomic_file.h"
 #include "compare/compare.h"
 #include "compare/report/egl_window.h"
-#include "compare/report/next_steps.h"
+#include "compare/report/first_screen.h"
 #include "compare/report/numbers.h"
 #include "compare/report/report_files.h"
-#include "compare/report/trust.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
 

@@ -7,9 +7,7 @@
 
 #include "compare/gates/gates.h"
 #include "compare/report/comparison_tables.h"
-#include "compare/report/label_places.h"
-#include "compare/report/levels_table.h"
-#include "compare/report/silhouette.h"
+#include "compare/report/svg_plot.h"
 #include "meshes/generate.h"
 #include "record/certificate.h"
 

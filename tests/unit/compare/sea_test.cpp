@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "compare/metrics/wave_spectrum.h"
+#include "compare/metrics/wave_analysis.h"
 #include "statistics/chi_square.h"
 
 namespace tw::test {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/ladder/judge_by_sizes.h"
+#include "compare/ladder/ladder_report.h"
 #include "compare/report/report_files.h"
 #include "tests/unit/compare/synthetic_pair.h"
 

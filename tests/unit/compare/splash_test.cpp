@@ -7,7 +7,6 @@
 #include "compare/compare.h"
 #include "compare/metrics/elevation.h"
 #include "compare/metrics/raster_columns.h"
-#include "compare/metrics/solid_voxels.h"
 #include "compare/metrics/splash.h"
 #include "meshes/generate.h"
 #include "record/raster.h"

@@ -6,13 +6,11 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "compare/report/base64.h"
-#include "compare/report/colours.h"
 #include "compare/report/escape.h"
+#include "compare/report/colours.h"
 #include "compare/report/numbers.h"
-#include "compare/report/plot_data.h"
-#include "compare/report/strip.h"
 #include "compare/report/svg_plot.h"
+#include "compare/report/first_screen.h"
 
 namespace tw {
 namespace svg_test {

@@ -9,9 +9,8 @@
 
 #include "base/atomic_file.h"
 #include "compare/report/colours.h"
-#include "compare/report/hull_pressure.h"
-#include "compare/report/page_scripts.h"
-#include "compare/report/view3d_mesh.h"
+#include "compare/report/drawn_solids.h"
+#include "compare/report/page.h"
 #include "record/water_surface.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "compare/report/report_table.h"
-#include "compare/report/style.h"
+#include "compare/report/page.h"
 #include "compare/report/svg_plot.h"
 #include "tests/verification/uncertainty/coverage.h"
 

@@ -4,16 +4,47 @@
 
 #include <cmath>
 
+#include "base/atomic_file.h"
+#include "base/read_file.h"
+#include "compare/report/comparison_tables.h"
+#include "compare/report/escape.h"
+#include "compare/report/numbers.h"
 #include "compare/report/report_table.h"
+#include "compare/report/sentences.h"
+#include "compare/report/svg_plot.h"
 #include "compare/verdict/judge.h"
 
 namespace tw {
-
+namespace fs = std::filesystem;
 namespace {
 
 std::string csv_number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; }
 
 }  // namespace
+
+ReportFiles write_report(const Comparison& comparison, const fs::path& folder, const std::string& details) {
+    make_own_folder(folder / "figures");
+    const Figures figures = draw_figures(comparison);
+    for (const auto* list : {&figures.forces, &figures.splash, &figures.wetting, &figures.cuts, &figures.probes,
+                             &figures.bodies, &figures.maps, &figures.resolution})
+        for (const Figure& f : *list)
+            if (const std::string text = svg_file(f.plot.svg); !text.empty())
+                write_text_atomically(folder / "figures" / (f.file + ".svg"), text);
+    for (std::size_t s = 0; s < figures.pictures.free_surface.size(); ++s) {
+        if (!figures.pictures.free_surface[s].empty())
+            write_text_atomically(folder / "figures" / fmt::format("free_surface_{}.png", s),
+                                  figures.pictures.free_surface[s]);
+        if (!figures.pictures.hull_pressure[s].empty())
+            write_text_atomically(folder / "figures" / fmt::format("hull_pressure_{}.png", s),
+                                  figures.pictures.hull_pressure[s]);
+    }
+    write_text_atomically(folder / "quantities.csv", quantities_csv(comparison));
+    write_text_atomically(folder / "series.csv", series_csv(comparison));
+    const ReportFiles files{folder / "report.html", folder / "report.json", folder / "quantities.csv"};
+    write_text_atomically(files.json, comparison_json(comparison));
+    write_text_atomically(files.html, report_html(comparison, figures, details));
+    return files;
+}
 
 std::string quantities_csv(const Comparison& comparison) {
     ReportTable table{"", {words("name"), words("unit")}};
@@ -74,6 +105,17 @@ std::string series_csv(const Comparison& comparison) {
         for (const Table& entry : comparison.analyses[s].entries) add(comparison.names[s], entry);
     }
     return fmt::to_string(out);
+}
+
+std::string summary_text(const Comparison& comparison) {
+    std::string out;
+    for (const std::string& sentence : verdict_sentences(comparison)) out += for_terminal(sentence) + "\n";
+    for (const std::string& b : comparison.banners) out += "! " + for_terminal(b) + "\n";
+    for (const ReportTable& table :
+         {quantities_table(comparison, true), left_out_table(comparison), quantities_table(comparison, false),
+          checks_table(comparison.gates, true), cost_table(comparison)})
+        if (!table.empty()) out += (out.empty() ? "" : "\n") + text_of(table);
+    return out;
 }
 
 }  // namespace tw

@@ -3,9 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "record/run_record.h"
+#include "compare/compare.h"
 
 namespace tw {
+
+/// Quantities per pressure and height probe of any source. `pressure:P1`: the raw peak, with the root mean square
+/// difference of the histories in the remark, never judged. Judged by a ladder: `pressure_mean:P1`, the time mean; and in
+/// tanks `pressure_peak:P1`, the largest mean over 5 ms or the probe's filter, `pressure_p99:P1`, exceeded 1 % of the time, and
+/// `pressure_arrival:P1` [s].
+void add_probes(Comparison& comparison, const CompareOptions& options);
 
 // Peaks of a probe's history that can be compared. The raw maximum cannot: where water lands on a wall a weakly
 // compressible method shows the sound of it, rho c0 v, for a few steps, and any method's maximum grows with its sampling
@@ -30,5 +36,25 @@ double filter_of(const std::vector<RunRecord>& records, const std::string& table
 
 /// Water has arrived when a tenth of what it brings has.
 inline constexpr double arrival_share = 0.1;
+
+// What reading a number off a history leaves open, whatever the resolution's own error (MeanValue::reading_below).
+
+/// How far below and above the value the truth may lie [unit].
+struct ReadingBounds {
+    double below = 0, above = 0;
+};
+
+/// Of an arrival [s]: to either side root of the sum of squares of the time from half the threshold on, or to twice the
+/// threshold (where water comes slowly it has no sharper arrival), of half a spacing and of half the time between samples.
+ReadingBounds reading_of_arrival(std::span<const double> t, std::span<const double> x, double first, double peak,
+                                 const RunRecord& record);
+
+/// Of a level [m]: half a spacing; none stands finer.
+ReadingBounds reading_of_height(const RunRecord& record);
+
+/// Puts it into a value that is known, with what it is.
+void set_reading(MeanValue& value, const ReadingBounds& reading, const char* of);
+inline constexpr const char* of_arrival = "the reading (threshold, spacing, sampling)";
+inline constexpr const char* of_height = "the reading (half a spacing)";
 
 }  // namespace tw

@@ -15,7 +15,7 @@ struct RefinementTable {
         double rounding = 0;  ///< [unit of the column]
     };
     std::string spacing_name;     ///< as written, or what was made of it: "(cells)^(-1/3)"
-    std::vector<double> spacing;  ///< one per row, in the order of the file, > 0; size_column.h
+    std::vector<double> spacing;  ///< one per row, in the order of the file, > 0
     std::vector<Column> columns;  ///< the quantities, one or more
 };
 
@@ -27,7 +27,8 @@ struct RefinementTable {
 ///   0.1, 431, 2690
 ///
 /// in the form of text/csv_columns.h, whose first column is the spacing, or a count or a number per length from which
-/// it follows (size_column.h; `dimensions` is that of a count, 0 where only the header may say it). Throws InputError
+/// it follows, by the words of its header (`dimensions` is that of a count, 0 where only the header may say it). Throws
+/// InputError
 /// `name:line: what was found; what is expected` for anything else: no header, no row, a row of other length, a cell
 /// that is not a finite number, a size that is not above zero or that was there before, a first column of unclear
 /// meaning.

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "compare/uncertainty/triplet.h"
-#include "compare/uncertainty/triplet_estimates.h"
 #include "tests/unit/compare/refinement_studies.h"
 
 namespace tw {

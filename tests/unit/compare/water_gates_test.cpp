@@ -7,13 +7,12 @@
 #include <string>
 
 #include "compare/gates/gates.h"
-#include "compare/metrics/water_kept.h"
 #include "meshes/generate/shapes.h"
 #include "record/raster.h"
 #include "record/solid_at_rest.h"
 
 namespace tw {
-namespace water_kept_test {
+namespace water_gates_test {
 
 constexpr double g = 9.81, rho = 1000;
 
@@ -185,5 +184,5 @@ TEST(WaterKept, ALevelThatHasLeftTheScenesFailsACheck) {
     EXPECT_NEAR(raised->value, 10, 0.1);  // 0.05 of 0.5 m
 }
 
-}  // namespace water_kept_test
+}  // namespace water_gates_test
 }  // namespace tw

@@ -1,9 +1,14 @@
-#pragma once
+#include "compare/report/page.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/sha256.h"
 
 namespace tw {
 
-/// Style sheet of the report: light and dark, print; curves take their colours from here.
-inline constexpr const char* report_style = R"(
+const char* const report_style = R"(
 :root{color-scheme:light dark;--bg:#fff;--text:#1b1f24;--soft:#5b6470;--line:#d8dde3;--panel:#f5f7f9;--s0:#1f62b5;--s1:#c8501c;--s2:#2a8a4a;--s3:#8447b5;
 --good:#1d7a3a;--goodbg:#e2f4e7;--bad:#b02a1b;--badbg:#fbe7e3;--open:#8a5a00;--openbg:#fdf1d6;--none:#5b6470;--nonebg:#eceff2}
 @media (prefers-color-scheme:dark){:root{--bg:#14171b;--text:#e4e8ec;--soft:#9aa4af;--line:#343b43;--panel:#1c2126;--s0:#6aa8f0;--s1:#f0905a;--s2:#63c585;--s3:#bf92ea;
@@ -48,5 +53,37 @@ dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;font-size:14p
 @media print{:root{color-scheme:light;--bg:#fff;--text:#000;--soft:#444;--line:#bbb;--panel:#f3f3f3;--s0:#1f62b5;--s1:#c8501c;--s2:#2a8a4a;--s3:#8447b5;--good:#1d7a3a;--goodbg:#e2f4e7;--bad:#b02a1b;--badbg:#fbe7e3;--open:#8a5a00;--openbg:#fdf1d6;--none:#444;--nonebg:#eee}
 body{font-size:12px;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-after:avoid}figure,tr,svg{break-inside:avoid}.pair{grid-template-columns:1fr 1fr}.multiples{grid-auto-flow:row;grid-template-columns:repeat(4,1fr)}.wide{overflow:visible}.first{grid-template-columns:1fr 1fr}.line:not([open]) summary{-webkit-line-clamp:none}details:not([open])>*{display:block}details::details-content{content-visibility:visible;height:auto}}
 )";
+
+std::string page_begin(const std::string& title, const std::string& style, const std::string& scripts) {
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+           "content=\"width=device-width, initial-scale=1\">"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; form-action "
+           "'none'; img-src data:; style-src "
+           "'unsafe-inline'" +
+           (scripts.empty() ? "" : "; script-src " + scripts) + "\"><title>" + escaped(title) + "</title><style>" +
+           report_style + style + "</style></head><body><main>";
+}
+
+std::string page_begin_with(const std::string& title, const std::string& facts) {
+    return page_begin(title) + "<h1>" + escaped(title) + "</h1><p class=\"sub\">" + escaped(facts) + "</p>";
+}
+
+std::string script_source(const std::string& script) {
+    const std::string hex = sha256_hex(script);
+    std::string digest;
+    for (std::size_t k = 0; k < hex.size(); k += 2)
+        digest += static_cast<char>(std::stoi(hex.substr(k, 2), nullptr, 16));
+    return "'sha256-" + base64(digest) + "'";
+}
+
+std::string script_data(const std::string& attributes, const nlohmann::ordered_json& data) {
+    std::string text;
+    for (const char c : data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace))
+        if (c == '<' || c == '>' || c == '&')
+            text += fmt::format("\\u{:04x}", static_cast<int>(c));
+        else
+            text += c;
+    return "<script type=\"application/json\" " + attributes + ">" + text + "</script>";
+}
 
 }  // namespace tw
