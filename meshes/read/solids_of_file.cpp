@@ -15,15 +15,20 @@ std::vector<SolidNames> solids_of_file(const std::filesystem::path& file) {
 }
 
 std::vector<std::string> names_of_bodies(const std::vector<SolidNames>& solids) {
-    const auto alone = [&](const std::string& name) {
-        return std::ranges::count_if(
-                   solids, [&](const SolidNames& names) { return std::ranges::find(names, name) != names.end(); }) == 1;
+    const auto has = [](const SolidNames& names, const std::string& name) {
+        return std::ranges::find(names, name) != names.end();
     };
+    const auto alone = [&](const std::string& name) {
+        return std::ranges::count_if(solids, [&](const SolidNames& names) { return has(names, name); }) == 1;
+    };
+    std::vector<std::string> shared;
+    for (const SolidNames& names : solids)
+        if (!names.empty() && std::ranges::none_of(names, alone)) shared.push_back(names.front());
     std::vector<std::string> bodies;
     for (const SolidNames& names : solids) {
         if (names.empty()) continue;
-        const auto first = std::ranges::find_if(names, alone);
-        const std::string& name = first != names.end() ? *first : names.front();
+        const auto together = std::ranges::find_if(shared, [&](const std::string& name) { return has(names, name); });
+        const std::string& name = together != shared.end() ? *together : *std::ranges::find_if(names, alone);
         if (std::ranges::find(bodies, name) == bodies.end()) bodies.push_back(name);
     }
     return bodies;

@@ -10,8 +10,9 @@ namespace tw {
 /// solid in it. Throws InputError like read_surface.
 std::vector<SolidNames> solids_of_file(const std::filesystem::path& file);
 
-/// For each body of a file one name that takes it: of each solid the first of its names that no other solid has, else
-/// its own, which solids then share. Solids without any name are left out. None twice.
+/// For each body of a file one name that takes it, and no solid twice: of each solid the first of its names that no other
+/// solid has; where there is none, its own, and then all solids that have this one are one body. Solids without any name
+/// are left out.
 std::vector<std::string> names_of_bodies(const std::vector<SolidNames>& solids);
 
 }  // namespace tw
