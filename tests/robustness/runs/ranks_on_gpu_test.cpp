@@ -102,7 +102,7 @@ TEST_F(RanksOnGpu, TheCardsAndHowTheyAreSharedAreSaid) {
     };
     says(output(2, "gpu", 0), "each of 2 ranks here has a GPU of its own, of 2");
     says(output(3, "gpu", 0), "3 ranks here share 2 GPUs");
-    setenv("FAKE_CUDA", "devices=1 memory=100000", 1);
+    setenv("FAKE_CUDA", "devices=1 memory=50000", 1);
     says(output(2, "gpu", 2), "particles need");
     output(2, "auto", 0);
     EXPECT_FALSE(read_record(folder_.path() / "auto2/sph/record.h5").attributes.contains("device"));
