@@ -230,6 +230,7 @@ void RankShare::hold_columns(const std::vector<std::int32_t>& staying) {
         for (std::size_t k = 0; k < got.size() / bytes; ++k)
             level_.particles.unpack(before + k, got.data() + k * bytes);
     }
+    own_.assign(level_.particles.size(), 0);  // until they are sorted
 }
 
 /// The particles are sorted: who owns which, and who tells whom.

@@ -16,6 +16,7 @@ using namespace ranks_test;
 /// Peaks of all ranks together [bytes] for each particle more, in some steps from the start on.
 double bytes_a_particle(const fs::path& scene, const fs::path& folder, int ranks) {
     const auto made = [&](const char* near_hull) {
+        fs::create_directories(folder / near_hull);
         return read_record(run(scene, folder / near_hull, ranks, {"--near-hull", near_hull}) / "record.h5");
     };
     const RunRecord few = made("80mm"), many = made("20mm");
