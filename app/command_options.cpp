@@ -295,8 +295,8 @@ void validate_options(CLI::App& c, ValidateCommand& validate) {
         ->check(CLI::IsMember(uncertainty_methods()));
     c.add_option("--pages", validate.pages, "folder for Markdown pages made from the report: README.md and one a case");
     c.add_option("--into", validate.into,
-                 "Markdown page, written by hand, whose tables are made anew: between a line <!-- validate: families --> "
-                 "or <!-- validate: values --> and <!-- /validate -->; can be given again")
+                 "Markdown page, written by hand, whose tables are made anew: between a line <!-- validate: families "
+                 "--> or <!-- validate: values --> and <!-- /validate -->; can be given again")
         ->type_name("FILE ...");
     c.add_flag("--formulas", validate.formulas, "list the formulas that a truth may name, and run nothing");
     add_rerun(c, validate.overwrite);

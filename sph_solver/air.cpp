@@ -33,7 +33,8 @@ constexpr double support_at_a_void = 0.6;
 
 void add_air(Simulation& simulation, const AirOptions& air, const Fluid& fluid) {
     const auto particles = static_cast<std::int64_t>(fluid.places.size());
-    if (simulation.level(0).ranks().sum(particles) == 0) throw InputError("air: the water leaves no room for it in the domain");
+    if (simulation.level(0).ranks().sum(particles) == 0)
+        throw InputError("air: the water leaves no room for it in the domain");
     Mirrors& mirrors = simulation.surroundings().mirrors;
     if (!mirrors.periodic[2]) mirrors.on[2][1] = true;
     simulation.level(0).set_surface_support(support_at_a_void);

@@ -1,4 +1,3 @@
-#include "compare/ladder/ladder_report.h"
 #include "compare/sweep/sweep.h"
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/ladder/judge_by_sizes.h"
+#include "compare/ladder/ladder_report.h"
 
 namespace tw::app {
 namespace {

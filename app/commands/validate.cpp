@@ -39,8 +39,7 @@ void write_all(const ValidationReport& report, const std::vector<ValidationChang
     write_file(out / "validation.csv", validation_csv(report));
     write_file(out / "junit.xml", validation_junit(report));
     if (!command.pages.empty()) write_pages(report, command.pages);
-    for (const fs::path& page : command.into)
-        write_file(page, with_tables(read_text(page), page.string(), report));
+    for (const fs::path& page : command.into) write_file(page, with_tables(read_text(page), page.string(), report));
     say(common, "\n" + validation_text(report, changes) + "\nreport: " + (out / "validation.html").string() + "\n");
     write_json(common, validation_json(report));
 }

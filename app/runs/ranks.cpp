@@ -146,8 +146,7 @@ RanksTake ranks_take(const PlannedRun& plan, int option) {
     take.seconds = cost.seconds * largest_work / work + talk * cost.steps / steps;
     take.line = fmt::format(
         "ranks: {}; the largest has {} particles of its own and {} copies, {:.3g} MB; the first has all particles "
-        "while "
-        "it starts, {:.3g} MB; {}\n",
+        "while it starts, {:.3g} MB; {}\n",
         take.ranks, plain_number(take.particles), plain_number(take.copies), take.bytes / 1e6,
         take.bytes_at_start / 1e6, about_text(take.seconds));
     return take;
@@ -189,7 +188,10 @@ int run_on_ranks(int ranks, const std::function<bool()>& made) {
 int leave_to_starter(int status, const Comm& ranks) {
     const char* file = std::getenv(status_file);
     if (!ranks.many() || !file) return status;
-    if (ranks.first()) write_text_atomically(file, std::to_string(status));
+    if (!ranks.first()) return done;
+    try {
+        write_text_atomically(file, std::to_string(status));
+    } catch (const std::exception&) { return status; }  // the starter's folder is on another node, or its disk is full
     return done;
 }
 

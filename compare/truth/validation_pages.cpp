@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 
 #include "base/errors.h"
@@ -24,6 +25,15 @@ std::string wrapped(const std::string& text) {
         at = end + 1;
     }
     return out + line + "\n";
+}
+
+/// The table, with what is said below it on lines of that length.
+std::string table_text(const ReportTable& table) {
+    std::string out;
+    std::istringstream lines(text_of(table));
+    for (std::string line; std::getline(lines, line);)
+        out += line.empty() || line.starts_with('|') ? line + "\n" : wrapped(line);
+    return out;
 }
 
 /// What may not stand in Markdown as it is: text of a suite or a record is text.
@@ -48,7 +58,7 @@ std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
     for (const std::string& scene : c.scenes) scenes += (scenes.empty() ? "" : ", ") + ("`" + scene + "`");
     page += wrapped(fmt::format("**Family** {}. **Tier** {}. **Scene** {}.", c.family, c.tier, scenes)) + "\n";
     if (!c.why_not.empty()) page += wrapped("**Not run with this version:** " + plain_markdown(c.why_not)) + "\n";
-    page += text_of(validation_table(c)) + "\n";
+    page += table_text(validation_table(c)) + "\n";
     if (!c.versions.empty())
         page += wrapped(plain_markdown(fmt::format("Runs made with twinwake {}.", fmt::join(c.versions, ", ")))) + "\n";
     page += "## Where the truths are from\n\n";
@@ -61,7 +71,7 @@ std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
     ReportTable parts = parts_table(c), by_method = estimators_table(c), costs = cost_table(c);
     for (ReportTable* table : {&parts, &by_method, &costs})
         if (const std::string title = std::exchange(table->title, ""); !table->empty())
-            page += "## " + title + "\n\n" + text_of(*table) + "\n";
+            page += "## " + title + "\n\n" + table_text(*table) + "\n";
     return page + made_from(report);
 }
 
@@ -102,11 +112,12 @@ std::string with_tables(const std::string& page, const std::string& name, const 
                wrapped(fmt::format("Made by `twinwake validate --into` from runs of twinwake {}, {}, {}:",
                                    plain_markdown(report.version), plain_markdown(report.machine),
                                    plain_markdown(report.date))) +
-               "\n" + text_of(made) + "\n";
+               "\n" + table_text(made) + "\n";
         at = after;
     }
     if (at == 0)
-        throw InputError(fmt::format("{}: no place for a table: the lines \"{}families -->\" and \"{}\"", name, begin, end));
+        throw InputError(
+            fmt::format("{}: no place for a table: the lines \"{}families -->\" and \"{}\"", name, begin, end));
     return out + page.substr(at);
 }
 
@@ -126,7 +137,7 @@ std::vector<MadePage> validation_pages(const ValidationReport& report) {
     for (ReportTable* table : {&families, &estimators, &values}) {
         if (table->empty()) continue;  // reports of earlier versions have no estimators
         const std::string title = std::exchange(table->title, "");
-        index += "\n## " + title + "\n\n" + text_of(*table);
+        index += "\n## " + title + "\n\n" + table_text(*table);
     }
     pages.insert(pages.begin(), {"README.md", index});
     return pages;

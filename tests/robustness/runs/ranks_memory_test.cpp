@@ -1,8 +1,6 @@
 // What memory the ranks of one run take.
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "base/atomic_file.h"
 #include "program.h"
 #include "ranks_run.h"
@@ -44,7 +42,6 @@ duration = 0.0005
     const double one = bytes_a_particle(scene, folder.path(), 1), four = bytes_a_particle(scene, folder.path(), 4);
     EXPECT_GT(one, 300);
     EXPECT_LT(four, 2 * one);
-    std::cout << one << " and " << four << " bytes a particle\n";
 }
 
 }  // namespace ranks_memory_test

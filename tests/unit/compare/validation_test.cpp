@@ -236,10 +236,12 @@ TEST(Validation, TextOfASuiteIsTextInEveryFile) {
 }
 
 TEST(Validation, TablesOfAPageWrittenByHandAreMadeAnewAndNothingElse) {
-    const std::string page = "# Mine\n\n<!-- validate: families -->\nof earlier data\n<!-- /validate -->\n\nkept | text\n"
-                             "<!-- validate: values -->\n<!-- /validate -->\nend\n",
+    const std::string page =
+                          "# Mine\n\n<!-- validate: families -->\nof earlier data\n<!-- /validate -->\n\nkept | text\n"
+                          "<!-- validate: values -->\n<!-- /validate -->\nend\n",
                       made = with_tables(page, "mine.md", small_report());
-    for (const char* words : {"# Mine\n\n<!-- validate: families -->\nMade by", "\n\nkept | text\n", "\nend\n", "Lift", "tanks"})
+    for (const char* words :
+         {"# Mine\n\n<!-- validate: families -->\nMade by", "\n\nkept | text\n", "\nend\n", "Lift", "tanks"})
         EXPECT_NE(made.find(words), std::string::npos) << words << "\n" << made;
     EXPECT_EQ(made.find("of earlier data"), std::string::npos);
     EXPECT_EQ(with_tables(made, "mine.md", small_report()), made) << "made twice";
@@ -252,7 +254,8 @@ TEST(Validation, APlaceForATableThatIsWrongIsSaid) {
         } catch (const InputError& e) { return e.what(); }
     };
     EXPECT_NE(said("text\n").find("mine.md: no place for a table"), std::string::npos);
-    EXPECT_NE(said("a\n<!-- validate: values -->\nb\n").find("mine.md:2: a place for a table has to end"), std::string::npos);
+    EXPECT_NE(said("a\n<!-- validate: values -->\nb\n").find("mine.md:2: a place for a table has to end"),
+              std::string::npos);
     EXPECT_NE(said("<!-- validate: x -->\n<!-- /validate -->\n").find("mine.md:1: no table \"x\""), std::string::npos);
 }
 
