@@ -6,8 +6,11 @@
 //   TMPDIR          A new folder in the caller's, so that tests side by side, other checkouts and other users never
 //                   meet in one. It is removed at the end unless a test failed.
 //   XDG_CACHE_HOME  In that folder: what runs teach stays in the test.
+//   VTK_SMP_BACKEND_IN_USE
+//                   Sequential: untrusted files are read in a child process, and the address sanitizer's allocator
+//                   (GCC 12) may stay locked for ever in the child of a process that has other threads.
 //
-// Programs that a test starts inherit all three.
+// Programs that a test starts inherit all four.
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -39,6 +42,7 @@ fs::path new_folder() {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     setenv("TWINWAKE_ISA", pinned_variant(), 0);
+    setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
     const fs::path folder = new_folder();
     setenv("TMPDIR", folder.c_str(), 1);
     setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
