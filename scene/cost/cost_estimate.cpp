@@ -118,7 +118,7 @@ MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
     const double frame_rate = held ? 0 : steps_per_frame / scene.sampling.interval;
     cost.steps = scene.run.duration * std::max(courant_rate, frame_rate);
     const double n = cores(scene);
-    const bool dearer = scene.fvm.captures_geometrically() && scene.domain.dimensions == 3;  // decision 066
+    const bool dearer = scene.fvm.captures_geometrically() && scene.domain.dimensions == 3;  // decision 028
     const double of_a_step = dearer ? cost_of_geometric_capture : held ? cost_of_held_step : 1;
     cost.seconds =
         pace * (start_seconds + p.cells * mesh_seconds_per_cell +
