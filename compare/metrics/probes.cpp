@@ -209,9 +209,9 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                            ? fmt::format("histories differ by {:.2g} % of the range (root mean square)", rms)
                            : std::string();
             });
-            add("_peak", fmt::format("Peak {} at {}, mean over {:g} ms", table, name, 1e3 * window), unit,
+            add("_peak", fmt::format("Peak {} at {}, mean over {:.3g} ms", table, name, 1e3 * window), unit,
                 fmt::format(
-                    "largest mean over {:g} ms ({:g} ms, or the time between samples where that is longer) in the "
+                    "largest mean over {:.3g} ms ({:g} ms, or the time between samples where that is longer) in the "
                     "time that all records cover: the largest impulse over its time",
                     1e3 * window, 1e3 * filter),
                 true, "its record is shorter than the window",

@@ -76,7 +76,7 @@ def film(run: Union[Run, Record, str, Path], out: Union[str, Path, None] = None,
     return out
 
 
-class _Side:
+class Side:
     """What one method's column of the picture shows."""
 
     def __init__(self, record: Record) -> None:
@@ -107,11 +107,11 @@ class _Side:
         plane = float(self.raster.y[self.row])
         surfaces = [self.fixed] if self.fixed else []
         surfaces += [(b.points_at(time), b.triangles) for b in self.bodies.values()]
-        cuts = [_cut(np.asarray(points, dtype=float)[triangles], plane) for points, triangles in surfaces]
+        cuts = [cut_of(np.asarray(points, dtype=float)[triangles], plane) for points, triangles in surfaces]
         return np.concatenate(cuts) if cuts else np.zeros((0, 2, 2))
 
 
-def _cut(corners: np.ndarray, plane: float) -> np.ndarray:
+def cut_of(corners: np.ndarray, plane: float) -> np.ndarray:
     """Segments in which triangles (n, 3, 3) cut the plane y = plane: (segments, 2, 2), x and z."""
     side = corners[:, :, 1] - plane
     side = np.where(side == 0, 1e-12, side)
@@ -139,7 +139,7 @@ class _Picture:
         except ImportError as e:
             raise TwinwakeError(f"a film needs matplotlib ({e}); Debian: sudo apt-get install python3-matplotlib "
                                 f"python3-pil") from None
-        self.sides = {m: _Side(r) for m, r in records.items() if r.has_raster}
+        self.sides = {m: Side(r) for m, r in records.items() if r.has_raster}
         if not self.sides:
             raise TwinwakeError("nothing can be seen: no record has a raster of its water")
         every = max((s.raster.times for s in self.sides.values()), key=len)
@@ -152,8 +152,9 @@ class _Picture:
         forces = {m: f for m, f in forces.items() if len(f["time"]) > 1 and "fx" in f and "fz" in f}
         rows = [2.0] + ([] if flat else [2.0]) + ([1.2] if forces else [])
         self.figure = pyplot.figure(figsize=(12.8, 7.2 if len(rows) > 1 else 4), dpi=100)
+        low, high = (0.08, 0.9) if len(rows) > 1 else (0.14, 0.84)  # room for the names of axes and methods
         grid = self.figure.add_gridspec(len(rows), len(self.sides), height_ratios=rows, hspace=0.35, wspace=0.15,
-                                        left=0.06, right=0.93, top=0.9, bottom=0.08)
+                                        left=0.06, right=0.93, top=high, bottom=low)
         limits = self._limits()
         self.parts: List[Dict[str, Any]] = []
         for k, (method, side) in enumerate(self.sides.items()):
@@ -209,7 +210,7 @@ class _Picture:
     def draw(self, time: float) -> np.ndarray:
         """The picture at a time: (height, width, 4) [uint8]."""
         for part in self.parts:
-            side: _Side = part["side"]
+            side: Side = part["side"]
             water, shown = side.water(time)
             part["water"].set_data(water[:, side.row])
             part["outline"].set_segments(side.outline(shown))
