@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 #include <utility>
 #include <vector>
 
 #include "scene/water/water_grid.h"
+#include "sph_solver/lattice_multigrid.h"
 
 namespace tw {
 namespace {
@@ -71,7 +71,7 @@ private:
     /// memory than the matrix.
     void solve() {
         const auto n = static_cast<std::int32_t>(who_.size());
-        Eigen::SparseMatrix<double, Eigen::RowMajor> laplace(n, n);
+        LatticeMultigrid::Matrix laplace(n, n);
         laplace.reserve(7 * std::ptrdiff_t{n});
         std::vector<std::pair<std::int32_t, double>> row;
         Eigen::VectorXd given = Eigen::VectorXd::Zero(n);
@@ -106,7 +106,11 @@ private:
             for (const auto& [column, value] : row) laplace.insertBack(i, column) = value;
         }
         laplace.finalize();
-        Eigen::ConjugateGradient<decltype(laplace), Eigen::Lower | Eigen::Upper> solver(laplace);
+        std::vector<LatticeMultigrid::Place> places;
+        for (const std::size_t c : who_) places.push_back(grid_.cells()[c].at);
+        Eigen::ConjugateGradient<decltype(laplace), Eigen::Lower | Eigen::Upper, LatticeMultigrid> solver;
+        solver.preconditioner().take(laplace, std::move(places));
+        solver.compute(laplace);
         solver.setTolerance(1e-7);
         phi_ = solver.solveWithGuess(given, Eigen::VectorXd::Constant(n, highest));
         iterations_ = std::max(1, static_cast<int>(solver.iterations()));

@@ -93,7 +93,7 @@ void Level::refresh(double drift) {
         const Stopwatch watch(timers_.update);
         steps_->update_records();
     }
-    const Stopwatch watch(timers_.lists);
+    const Stopwatch watch(timers_.pruning);
     steps_->prune(drift);
 }
 

@@ -52,7 +52,7 @@ struct Level::OfAllParts {
 };
 
 Level::Impulses Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
-    const Stopwatch watch(timers_.update);
+    const Stopwatch watch(timers_.advance);
     const double speed_before = system_.extremes.speed;
     const Move moving = move_on(move);
     system_.walls.note_motions();

@@ -12,8 +12,7 @@ std::vector<LevelLedger> level_ledgers(const Simulation& simulation) {
         const KindCounts kinds = level.kinds();
         l.buffers = kinds.buffers, l.overlap = kinds.overlap, l.slaves = kinds.slaves;
         l.active = level.count() - kinds.buffers - kinds.under();
-        const Timers& t = level.timers();
-        l.seconds = t.lists + t.gradient + t.walls + t.forces + t.effects + t.update;
+        l.seconds = level.timers().sum();
         if (k > 0) {
             const Refinement& edge = simulation.refinements()[k - 1];
             l.edge = edge.ledger();
