@@ -16,7 +16,7 @@ constexpr std::array positive{"near_hull", "spacing", "duration", "density", "le
 constexpr std::array not_negative{"speed",          "mean_from",         "sampling_interval",  "kinematic_viscosity",
                                   "write_interval", "raster_every",      "wall_particles",     "air_particles",
                                   "dimensions",     "predicted_seconds", "predicted_elements", "predicted_memory",
-                                  "gravity"};
+                                  "gravity",        "predicted_core_seconds"};
 
 class Check {
 public:
