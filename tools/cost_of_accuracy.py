@@ -28,6 +28,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import textwrap
 import tomllib
 
 checkout = pathlib.Path(__file__).resolve().parent.parent
@@ -104,6 +105,11 @@ def table(points, case):
     return lines
 
 
+def two_digits(number):
+    rounded = float(f"{number:.2g}")
+    return f"{rounded:.0f}" if rounded >= 10 else f"{rounded:g}"
+
+
 def halving(points):
     """For each method with two triplets or more: the line through them in logarithms, in words."""
     lines = []
@@ -117,9 +123,11 @@ def halving(points):
         if slope > -least_slope:
             lines.append(f"- {name}: more time has hardly narrowed the interval (power {-slope:.2f} of the time).")
         else:
-            at = ", ".join(f"± {share:g} % at {math.exp(t + (math.log(share) - u) / slope):.2g} s" for share in (5, 2, 1))
-            lines.append(f"- {name}: the interval falls with the power {-slope:.2f} of the time; half the interval costs "
-                         f"{2 ** (-1 / slope):.2g} times as much; the line reaches {at}.")
+            at = ", ".join(f"± {share:g} % at {two_digits(math.exp(t + (math.log(share) - u) / slope))} s"
+                           for share in (5, 2, 1))
+            text = (f"- {name}: the interval falls with the power {-slope:.2f} of the time; half the interval costs "
+                    f"{2 ** (-1 / slope):.2g} times as much; the line reaches {at}.")
+            lines += textwrap.wrap(text, 120, subsequent_indent="  ", break_on_hyphens=False)
     return lines
 
 
@@ -170,8 +178,9 @@ def figure(points, case):
 
 def section(program, case, pictures, page):
     points, machines = points_of(program, case)
-    lines = table(points, case) + [""] + halving(points)
-    if any(p["per_cent"] for of in points.values() for p in of):
+    slopes = halving(points)
+    lines = table(points, case) + ([""] if slopes else []) + slopes
+    if slopes:
         pictures.mkdir(parents=True, exist_ok=True)
         picture = pictures / f"cost_{case['name']}.svg"
         picture.write_text(figure(points, case), encoding="utf-8")
