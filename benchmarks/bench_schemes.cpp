@@ -1,5 +1,5 @@
 // Time-stepping schemes, error against cost: each scheme at several Courant numbers on two-dimensional cases with an
-// exact answer. Prints the table of docs/results/time_schemes.md; one core, some minutes.
+// exact answer. Prints the table of docs/results/numerics.md; one core, some minutes.
 //
 //   sound     a standing wave of sound in a closed box, no dissipation: the box of particles has one frequency, which
 //             the smallest step of the most accurate scheme finds; what is left is the error in time

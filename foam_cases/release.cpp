@@ -6,7 +6,7 @@
 
 #include "base/gap.h"
 
-// Measured: docs/decisions/034-moving-bodies-in-interfoam.md.
+// Measured: docs/decisions/032-rigid-bodies.md.
 
 namespace tw {
 

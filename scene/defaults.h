@@ -70,7 +70,7 @@ double speed_under_quiet_surface(const Scene& scene);
 /// Of the water: its stream, its fall from the surface with the walls of a tank that moves, or a body's [m/s].
 double explained_speed(const Scene& scene);
 /// Ten times the speed that the scene explains; where water strikes an elastic plate (struck_plate.h) so many times, with
-/// which a dam break on a wall of rubber keeps within the limits of its checks (docs/results/elastic_wall.md).
+/// which a dam break on a wall of rubber keeps within the limits of its checks (docs/results/structures.md).
 inline constexpr double sound_of_impact = 40;
 double default_sound_speed(const Scene& scene);
 /// Largest speed of a place in a tank that moves, seen from the earth [m/s]; 0 where it rests.

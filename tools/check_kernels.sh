@@ -2,7 +2,7 @@
 # What the kernels for a GPU have to be, read off their PTX: no kernel calls a function; the loops over pairs and the search
 # for neighbours keep nothing in local memory; no loop over pairs computes in double precision. Where the toolkit's ptxas is
 # found, the pair loops take at most 64 registers a thread for compute capability 9.0, and the bytes that they spill are shown
-# (128 at most: half of the threads that a multiprocessor can hold are worth more than no spills, docs/decisions/068).
+# (128 at most: half of the threads that a multiprocessor can hold are worth more than no spills, docs/decisions/067).
 #
 #   tools/check_kernels.sh FILE.ptx
 #

@@ -114,7 +114,7 @@ std::optional<Pocket> deepest_suction(const RunRecord& record, double speed) {
 ///
 /// A: frontal area, d: the hull's smaller extent across the stream, dp: spacing at the hull. First order: the artificial
 /// viscosity or the cells' diffusion lets the flow leave the tail. Measured on an ellipse (C = 0.28 and 0.14 at d/dp = 6
-/// and 12, docs/results/ellipse_in_a_stream.md); a size, good to a factor of two.
+/// and 12, docs/results/numerics.md); a size, good to a factor of two.
 struct NumericalDrag {
     double force = 0;        ///< D_num [N]
     double coefficient = 0;  ///< C [-]

@@ -11,7 +11,7 @@ namespace tw {
 // sees rho c0 v until sound has crossed that front and come back: a pulse whose height grows with the sound speed and
 // whose length, a few dp/c0, falls with it. Its impulse is that of the front, which the spacing makes blunt, and no
 // property of the flow. Measured on a dam break with c0, 1.5 c0 and 2 c0: 101, 153 and 166 kPa, 2.9, 3.2 and 3.1 dp/c0
-// long (docs/decisions/078-intervals-of-short-times.md). A peak of the flow lasts longer.
+// long (docs/decisions/023-trend-and-noise.md). A peak of the flow lasts longer.
 
 /// What is shorter than this is sound [s]: the time in which it crosses six particles, 6 dp / c0, twice the length of the
 /// measured pulses. 0: the record's method has no sound.

@@ -30,9 +30,9 @@ std::vector<LeftOut> left_out_of(const Quantity& quantity, const MeanValue& valu
 
 /// A run lets its water go at once and at time 0. A real gate takes its time, and the clock of a measurement begins when
 /// the gate begins to move, or when it is open: arrivals are known to 0.13 sqrt(H/g), H: height of the water. Three
-/// measured fronts lag a front of ideal water by 0.21 to 0.26 sqrt(a/2g), H = 2a (docs/results/dam_break_2d.md), others lead
-/// (docs/results/coverage.md); a gate that opens in 1.25 sqrt(H/g) counts as sudden (Lauber & Hager 1998, J. Hydraul.
-/// Res. 36, 291).
+/// measured fronts lag a front of ideal water by 0.21 to 0.26 sqrt(a/2g), H = 2a (docs/results/dam_break_pressure.md),
+/// others lead (docs/results/coverage.md); a gate that opens in 1.25 sqrt(H/g) counts as sudden (Lauber & Hager 1998,
+/// J. Hydraul. Res. 36, 291).
 inline constexpr double gate_time = 0.13;
 
 /// Half widths of the outer interval of a value, below and above it: root of the sum of squares of its interval and of

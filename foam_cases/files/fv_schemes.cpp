@@ -4,7 +4,7 @@ namespace tw {
 
 /// system/fvSchemes: second-order upwind for momentum, van Leer with interface compression for the water fraction. Round
 /// a body that enters the water first-order upwind: with the second order the water of an entry does not leave the body reliably
-/// (docs/decisions/034-moving-bodies-in-interfoam.md).
+/// (docs/decisions/032-rigid-bodies.md).
 std::string fv_schemes(const CasePlan& plan) {
     Dictionary divergence{
         {"default", Word("none")},

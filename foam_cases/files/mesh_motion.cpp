@@ -7,7 +7,7 @@
 #include "foam_cases/files/times_of_table.h"
 #include "foam_cases/release.h"
 
-// Recipe and measurements: docs/decisions/034-moving-bodies-in-interfoam.md.
+// Recipe and measurements: docs/decisions/032-rigid-bodies.md.
 
 namespace tw {
 namespace {

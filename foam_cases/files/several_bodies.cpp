@@ -2,7 +2,7 @@
 
 #include "foam_cases/release.h"
 
-// What was tried and measured: docs/decisions/034-moving-bodies-in-interfoam.md.
+// What was tried and measured: docs/decisions/032-rigid-bodies.md.
 
 namespace tw {
 namespace {

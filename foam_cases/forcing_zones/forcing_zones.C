@@ -2,7 +2,7 @@
 // fvModel of incompressibleVoF) that draws the flow to the undisturbed stream and so absorbs waves before they meet an
 // end of the domain. A library of its own; tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
 // tools/build_openfoam_walls.sh for the one whose environment is loaded. Theory: docs/theory.md, "Forcing zones";
-// measurements: docs/decisions/083-forcing-zones-in-interfoam.md.
+// measurements: docs/decisions/082-zones-and-ends.md.
 //
 //     constant/fvOptions, constant/fvModels
 //

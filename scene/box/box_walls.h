@@ -14,9 +14,9 @@ namespace tw {
 ///
 /// First line: least squares through the lift of the prism of studies/planing_prism.toml in ten boxes (s from 1 to 4 B, d
 /// from 1 to 3.2 B), mean of both methods; each of them lies within 2 % of the lift from it for s of 1.5 B and more, and at
-/// half the draft it is a third too large (docs/results/box.md). Second line: the blockage correction of the speed after Schuster, as in ITTC
-/// 7.5-02-02-01, without its wave term, twice because resistance goes with the square of the speed; m estimates the
-/// blockage by the midship section. A floor that is the bed has no part in the first line.
+/// half the draft it is a third too large (docs/results/planing_prism.md). Second line: the blockage correction of the
+/// speed after Schuster, as in ITTC 7.5-02-02-01, without its wave term, twice because resistance goes with the square of
+/// the speed; m estimates the blockage by the midship section. A floor that is the bed has no part in the first line.
 struct WallEffect {
     double change = 0;  ///< relative [-]
     std::string of;  ///< "lift", "resistance"; empty: no formula holds (a tank, a depth Froude number of 0.9 and more)

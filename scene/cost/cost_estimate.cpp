@@ -62,7 +62,7 @@ double seconds_of_tyre(const ElasticTyre& tyre, double duration, double steps) {
 /// Of one of interFoam's, in those of the throughput above.
 double cost_of_step(const Scene& scene) {
     const bool flat = scene.domain.dimensions == 2;
-    const double surface = scene.fvm.captures_geometrically() && !flat ? cost_of_geometric_capture : 1;  // decision 066
+    const double surface = scene.fvm.captures_geometrically() && !flat ? cost_of_geometric_capture : 1;  // decision 028
     if (!scene.bodies.empty() || (scene.hull && scene.hull->free)) return surface * cost_of_moving_step;
     return surface * (flat ? cost_of_flat_step : hull_held_in_stream(scene) ? cost_of_held_step : 1);
 }

@@ -10,7 +10,7 @@
 namespace tw::effect_parts {
 namespace {
 
-// What drops want, measured (docs/results/surface_tension.md): with h/dp = 1.55 a drop's period is 20 % off, and with the
+// What drops want, measured (docs/results/air.md): with h/dp = 1.55 a drop's period is 20 % off, and with the
 // usual artificial viscosity of 0.01 a drop loses 7 % of its water and makes energy. That viscosity is alpha c0 h: at a
 // sound speed that the water's depth asks for, the same one is a smaller alpha (0.1 there makes molasses of the water and
 // put the trim of a floating box off by 19 %).

@@ -219,7 +219,7 @@ void check_body(const MovingBody& body, const Scene& scene) {
 
 /// A mesh that turns with the body has sides that are open to water at rest and a top that is open to air. Where its floor
 /// comes out of the water, or its top goes under, water leaves through the one and air comes in through the other: the
-/// volume fraction leaves its range from there on (decision 034).
+/// volume fraction leaves its range from there on (decision 032).
 void check_turn(const MovingBody& body, const Scene& scene) {
     const auto& law = body.motion.law;
     if (!law || !law->turns) return;

@@ -5,7 +5,7 @@
 
 namespace tw {
 
-/// How the mesh of the mesh method follows a body that moves (docs/decisions/034-moving-bodies-in-interfoam.md).
+/// How the mesh of the mesh method follows a body that moves (docs/decisions/032-rigid-bodies.md).
 struct MeshMotion {
     enum class Kind {
         none,      ///< nothing moves

@@ -240,7 +240,7 @@ void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     if (follows && scene.sph.scheme == "kick_drift_kick" && !carries_a_body(scene))
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     if (!scene.places.contains("sph.wake") && follows_its_hull(scene) && scene.hull->surface.bounds().max.z() > 0)
-        scene.sph.wake = 2;  // measured: docs/decisions/052-sizes-by-default.md
+        scene.sph.wake = 2;  // measured: docs/decisions/031-levels.md
     if (r.scale != 1) {      // as many as at the scene's own size, so that runs of several sizes are similar
         const Resolution scaled = r;
         r.near_hull /= r.scale, r.spacing /= r.scale, r.scale = 1;

@@ -291,7 +291,7 @@ void settle_end(Scene& scene, SceneSection& s) {
 }
 
 void settle_courant_numbers(Scene& scene) {
-    // Measured with the entry of a body (docs/decisions/034-moving-bodies-in-interfoam.md).
+    // Measured with the entry of a body (docs/decisions/032-rigid-bodies.md).
     if (scene.fvm.max_alpha_courant == 0 && !scene.bodies.empty()) scene.fvm.max_alpha_courant = 0.5;
     if (scene.fvm.max_alpha_courant == 0 && scene.fvm.captures_geometrically())
         scene.fvm.max_alpha_courant = std::min(2.0, default_courant(scene));

@@ -41,7 +41,7 @@ inline constexpr double slow_up_to = 200;
 const MovingBody* slowest_in_deep_water(const Scene& scene);
 /// By how much the particles' drag of such a body is too large where they carry the whole pressure, roughly: 0.3 % for
 /// every time that the hydrostatic pressure contains the dynamic one, up to twice the drag. Measured on a cylinder drawn
-/// through a channel, ten spacings across (docs/decisions/075-slow-viscous-flow.md).
+/// through a channel, ten spacings across (docs/decisions/065-water-at-the-start.md).
 double excess_of_drag(const SlowBody& body);
 /// Notes on the bodies, and on a hull in a stream, whose drag the particles will not have right. The effects have to be planned.
 void warn_of_slow_bodies(Scene& scene);

@@ -11,7 +11,7 @@ class Effect;
 /// Surface tension, equations/surface_tension.h. Walls count as water, so that a wetted wall is no surface and the
 /// contact angle is about 90 degrees. Momentum is kept to the error of the curvature, not pair by pair. It wants
 /// h/dp = 2: a drop's period is then 5 % off with 15 spacings in the radius and 1 % with 25, at 1.5 by 20 %
-/// (docs/results/surface_tension.md).
+/// (docs/results/air.md).
 struct SurfaceTension {
     double sigma = 0.072;  ///< [N/m]
 };

@@ -14,7 +14,7 @@ namespace tw {
 /// out from the solid, and water that is too thin takes more in, within some h / (k U) of a flow of U = c0/10. Away
 /// from solids shifting has no such partner, and the term would put the noise of S_i into the pressure.
 ///
-/// k and the play are calibrated, on water at rest round solids (docs/decisions/073): with k = 0.005 particles caught
+/// k and the play are calibrated, on water at rest round solids (docs/decisions/065): with k = 0.005 particles caught
 /// in an inner corner ring, and particles in disorder have sums so far from 1 (+0.002 with h/dp = 1.55, -0.001 with 2).
 struct Packing {
     static constexpr double k = 0.05;

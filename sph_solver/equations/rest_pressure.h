@@ -14,7 +14,7 @@ namespace tw {
 ///
 /// Among particles in disorder the pair forces of a pressure p err by a share of p, however small its gradient is. In a
 /// viscous flow of mu U/L the weight of deep water is hundreds of times that, and the drag of a body two times too high
-/// (docs/decisions/075-slow-viscous-flow.md).
+/// (docs/decisions/065-water-at-the-start.md).
 struct RestPressure {
     double surface = 0, top = 0, bottom = 0;  ///< z_s, z_a, z_b [m]
     double weight = 0;                        ///< rho0 g [N/m3]

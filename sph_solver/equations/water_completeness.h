@@ -23,7 +23,7 @@ struct WaterCompleteness {
     ///   d >= 0:  d clamp((Q_i - 0.8) / 0.1, 0, 1),   d < 0:  d
     ///
     /// Without it a void that was torn counts as compression when it closes, so it cannot, and shallow water swells
-    /// (docs/decisions/063). `s` is |s_i| [1/m].
+    /// (docs/decisions/065). `s` is |s_i| [1/m].
     template <class Real>
     Real compression(const Real& d, const Real& support, const Real& s) const {
         const Real void_share = positive_part(full - (support + a * s)) / width;

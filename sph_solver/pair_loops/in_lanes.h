@@ -97,7 +97,7 @@ inline Real closeness(const V3<Real>& x_i, const float* xyz) {
 /// A chunk of neighbours as the pair loop loads them, broadcast.
 struct alignas(64) Chunk {
     static constexpr int capacity = 256;
-    static constexpr int ahead = 3;  // by so many pairs the distances run ahead
+    static constexpr int ahead = 4;  // by so many pairs the distances run ahead
     float xyz[capacity + ahead][4];  // relative to the group's centre [2h]; the fourth is G V
     Real t[capacity + ahead];        // closeness of each lane
     std::int32_t index[capacity + 16];

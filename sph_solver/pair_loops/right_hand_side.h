@@ -19,18 +19,19 @@ namespace tw {
 namespace TW_ISA {
 namespace {
 
-/// First pair loop. The velocities are those that the last pressure has produced.
+/// First pair loop. The velocities are those that the last pressure has produced. In this order the sums that neighbours
+/// add to by several operations stay in registers (tools/check_pair_loops.py).
 template <bool walls_move>
 struct FirstPairLoop : FirstSums {
     using FirstSums::FirstSums;
 
     void meet(std::int32_t j, const Met& ij) {  // a particle in the water, or the image of one
         const VelocityDensityRecord& r_j = d.water.motion[j];
-        support += ij.V_W();      // Shepard sum
-        shifting.add(ij, shift);  // shifting: where to
         const V3<Real> u_ij = u_i - velocity(r_j);
-        Shifting::add_difference(ij, u_ij, difference2);  // how fast
         Continuity::add(ij, u_ij, compression);           // continuity
+        support += ij.V_W();                              // Shepard sum
+        Shifting::add_difference(ij, u_ij, difference2);  // shifting: how fast
+        shifting.add(ij, shift);                          // where to
         grad_rho.add(ij, r_j.drho - drho_i);              // density diffusion: its gradient
     }
     void meet_beside_wall(const Met& ij) {

@@ -1,5 +1,5 @@
 // Cases that break particle methods: they have to run, with nothing lost, bounded density and Mach number, momentum
-// kept and no energy made. What else they show (losses by resolution) is tabulated in docs/results/hard_cases.md.
+// kept and no energy made. What else they show (losses by resolution) is tabulated in docs/results/numerics.md.
 #include <gtest/gtest.h>
 
 #include <cmath>

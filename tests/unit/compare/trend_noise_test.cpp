@@ -22,7 +22,7 @@ TEST(TrendNoise, AStraightLineWithLittleNoiseIsExtrapolatedToItsEnd) {
 }
 
 TEST(TrendNoise, TheLiftsOfThePrismGetAnIntervalOfTheSizeOfTheirScatter) {
-    std::vector<StudyLevel> levels;  // docs/decisions/020-hull-force.md, SPH
+    std::vector<StudyLevel> levels;  // docs/decisions/024-hull-force-cured.md, SPH
     for (const auto& [per_beam, lift] : std::vector<std::pair<double, double>>{
              {12, 3347}, {14, 3249}, {16, 3261}, {18, 3353}, {20, 3280}, {24, 3359}, {28, 2974}, {40, 3134}})
         levels.push_back({1 / per_beam, lift});

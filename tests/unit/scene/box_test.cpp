@@ -65,7 +65,7 @@ TEST(Box, ATankStaysAsItIs) {
 }
 
 TEST(Box, WallsOfThePrismAreExpectedToBeWorthWhatWasMeasured) {
-    // 5 % at 2 and 1.6 beams, 12 % at 1.5 and 1.25 (docs/results/box.md)
+    // 5 % at 2 and 1.6 beams, 12 % at 1.5 and 1.25 (docs/results/planing_prism.md)
     EXPECT_NEAR(wall_effect(scene_of(prism("side = 2\nbelow = 1.6\n"))).change, 0.05, 0.01);
     const Scene demo = scene_of(prism("side = 1.5\nbelow = 1.2\n") + one_size);
     EXPECT_NEAR(wall_effect(demo).change, 0.12, 0.01);

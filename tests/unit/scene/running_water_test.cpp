@@ -98,7 +98,7 @@ TEST(RunningWater, NeverNeedsLessMemoryThanTheStart) {
 
 // SPHERIC's second test, a dam break against a box in a dry zone. Found: with particles of 10, 20 and 40 mm 10 850 at the
 // start, 243 691 at 1.62 s and 147 800 at 3.3 s, falling; of 20 and 40 mm at most 39 000 that are active, and 358 s of
-// one core (docs/results/spheric02.md) with an engine that made 1.1 million particle steps a second, where that of the
+// one core (docs/results/dam_break_pressure.md) with an engine that made 1.1 million particle steps a second, where that of the
 // table makes 2.86 million.
 TEST(RunningWater, OfSphericsDamBreakIsPredictedAsItWasFound) {
     const auto spheric = [](double near_hull) {

@@ -1,4 +1,4 @@
-// Antoci's elastic gate against the film of it, with particles of 2 mm: docs/results/elastic_gate.md has 1 mm.
+// Antoci's elastic gate against the film of it, with particles of 2 mm: docs/results/structures.md has 1 mm.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -173,7 +173,7 @@ TEST(Air, StaysAboveWaterAtRest) {
     EXPECT_GT(lowest, -0.5 * dp);
 }
 
-/// The midpoint rule is stable to a Courant number of 0.5 (docs/results/time_schemes.md).
+/// The midpoint rule is stable to a Courant number of 0.5 (docs/results/numerics.md).
 TEST(Air, IsASpringInStepsOfSeveralStagesToo) {
     const Cushions cushions;
     for (const auto& [scheme, cfl] :

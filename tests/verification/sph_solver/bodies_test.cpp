@@ -204,7 +204,7 @@ double energy_of_body(const Simulation& s) {
 
 /// A heavy circle that hits the water: what one side loses the other gains or turns into heat, and the sum rises by no
 /// more than 0.2 % of what the two exchange (found: 0.04 %). A light one that rises from rest makes more, because walls
-/// of dummies do work (docs/results/energy_budget.md).
+/// of dummies do work (docs/results/numerics.md).
 TEST(Bodies, AndWaterTogetherMakeNoEnergy) {
     SimulationSetup heavy = tank(0.01, 0.3, 0.3, 0.3, 30), light = tank(0.01, 0.4, 0.5, 0.2, 30);
     heavy.bodies = {circle_body(0.1, -0.005, 1370)};

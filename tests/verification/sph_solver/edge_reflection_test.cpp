@@ -98,7 +98,7 @@ TEST(EdgeReflection, OfAWaveThatMeetsItAslant) {
     EXPECT_GT(out.through, none.through - 0.05);
 }
 
-/// For docs/results/levels_waves.md; minutes.
+/// For docs/results/levels.md; minutes.
 TEST(EdgeReflection, DISABLED_TableOfLengthsAnglesAndEdges) {
     print_head();
     const auto lines = [](double length, double sine, int most) {

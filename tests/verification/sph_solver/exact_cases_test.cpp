@@ -105,7 +105,7 @@ std::pair<double, double> ellipse_in_stream(double dp) {
 }
 
 /// Steady ideal flow past a closed body has no drag (d'Alembert). What the engine shows instead is its numerical
-/// viscosity and the wake it makes behind the blunt end: a finding, stated in docs/results/ellipse_in_a_stream.md. It
+/// viscosity and the wake it makes behind the blunt end: a finding, stated in docs/results/numerics.md. It
 /// must shrink with the spacing.
 TEST(UniformStream, DragOfAClosedBodyIsNumericalAndShrinksWithTheSpacing) {
     const auto [coarse, coarse_lift] = ellipse_in_stream(0.1);

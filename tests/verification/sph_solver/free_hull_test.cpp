@@ -192,7 +192,7 @@ TEST(FreeHull, AHalfModelMovesAsTheWholeHullDoesAndItsSamplesGoWithIt) {
     EXPECT_NEAR(s.find("wetted_length")->values.back(), std::min(keel, 2.0), 0.25);
 }
 
-/// The study of a model whose measured trim is 4.17 degrees, at beam/8; docs/results/planing_free.md has its numbers.
+/// The study of a model whose measured trim is 4.17 degrees, at beam/8; docs/results/fridsma.md has its numbers.
 TEST(FreeHull, ThatIsReleasedPlaningFindsASteadyTrimAndALiftThatCarriesIt) {
     SceneOverrides coarse;
     coarse.scale_resolution = 1.5;

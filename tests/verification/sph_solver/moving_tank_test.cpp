@@ -141,7 +141,7 @@ TEST(MovingTank, SwingsAsLinearTheorySays) {
 
 /// The force of the frame acts on all sizes of particles, and the edge between them, in the middle of the tank where
 /// the water goes to and fro most, lets the swings through. The bound of the history is that of the larger size, and
-/// the 5 % of a gravity wave that an edge reflects on its way out of the smaller one (docs/results/levels_waves.md).
+/// the 5 % of a gravity wave that an edge reflects on its way out of the smaller one (docs/results/levels.md).
 TEST(MovingTank, SwingsAsLinearTheorySaysWithTwoSizesOfParticles) {
     const Swung found = swing(0.0125, 0);
     std::printf("two sizes: frequency - 1 %.2f %%, of the first swing and a half %.2f %%, centre of mass %.2f %%\n",

@@ -237,7 +237,7 @@ TEST(SurfaceWaveReflection, OfAForcingZoneOfOneWaveLength) {
     EXPECT_GT(wall, 0.15);  // or nothing has come back from it that could be told from noise
 }
 
-/// For docs/results/levels_waves.md; minutes.
+/// For docs/results/levels.md; minutes.
 TEST(SurfaceWaveReflection, DISABLED_Table) {
     print_head();
     const auto line = [](const Packet& of, bool in) {
