@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 """Compares the predicted processor time of runs with what they spent, and makes a table of it.
 
-    tools/predictions.py FOLDER ... [--into PAGE] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies]
+    tools/predictions.py FOLDER ... [--into PAGE [--mark predictions]] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies]
 
 Every finished record below the folders that was made by one thread counts, if it spent `--least` seconds (10). "said" is
 what the program predicted when the run was made, with the pace that it had learned by then; "now" is what --twinwake
 predicts of the same scene text, size and duration by its table alone (its cache is an empty folder, so that it has learned
 nothing): on the machine of the table that should be 1. Records whose scene it cannot read again, or that differ from the
 scene text in more than size and duration (another box, an uncertain number at its end), have no such value. Surfaces that
-scenes name are looked for in `--surfaces`. With --into the table replaces what is in PAGE between the lines `<!--
-predictions -->` and `<!-- /predictions -->`. Needs h5py. Exit status: 0; 2: wrong usage, or no record.
+scenes name are looked for in `--surfaces`. With --into the table replaces what is in PAGE between the lines `<!-- MARK
+-->` and `<!-- /MARK -->`. Needs h5py. Exit status: 0; 2: wrong usage, or no record.
 """
 import argparse
 import collections
@@ -73,6 +73,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("folders", nargs="+", type=pathlib.Path)
     words.add_argument("--into", type=pathlib.Path)
+    words.add_argument("--mark", default="predictions")
     words.add_argument("--twinwake", type=pathlib.Path, default=checkout / "build" / "twinwake")
     words.add_argument("--least", type=float, default=10)
     words.add_argument("--surfaces", type=pathlib.Path, default=checkout / "studies")
@@ -111,7 +112,7 @@ def main():
         print(text, end="")
         return
     page = given.into.read_text(encoding="utf-8")
-    begin, end = "<!-- predictions -->\n", "<!-- /predictions -->"
+    begin, end = f"<!-- {given.mark} -->\n", f"<!-- /{given.mark} -->"
     if begin not in page or end not in page:
         sys.exit(f"{given.into}: expected the lines {begin.strip()} and {end}")
     head, tail = page.split(begin, 1)
