@@ -13,10 +13,20 @@ namespace tw {
 namespace {
 
 constexpr std::array positive{"near_hull", "spacing", "duration", "density", "length", "beam"};
-constexpr std::array not_negative{"speed",          "mean_from",         "sampling_interval",  "kinematic_viscosity",
-                                  "write_interval", "raster_every",      "wall_particles",     "air_particles",
-                                  "dimensions",     "predicted_seconds", "predicted_elements", "predicted_memory",
-                                  "gravity"};
+constexpr std::array not_negative{"speed",
+                                  "mean_from",
+                                  "sampling_interval",
+                                  "kinematic_viscosity",
+                                  "write_interval",
+                                  "raster_every",
+                                  "wall_particles",
+                                  "air_particles",
+                                  "dimensions",
+                                  "predicted_seconds",
+                                  "predicted_elements",
+                                  "predicted_memory",
+                                  "gravity",
+                                  "predicted_core_seconds"};
 
 class Check {
 public:

@@ -32,6 +32,7 @@ void note_prediction(RunRecord& record, const RunOptions& options) {
     if (!options.command.empty()) record.attributes["command"] = options.command;
     if (!(options.predicted_seconds > 0)) return;
     record.numbers["predicted_seconds"] = options.predicted_seconds;
+    if (options.predicted_core_seconds > 0) record.numbers["predicted_core_seconds"] = options.predicted_core_seconds;
     record.numbers["predicted_elements"] = options.predicted_elements;
     record.numbers["predicted_memory"] = options.predicted_bytes;
     record.numbers["predicted_steps"] = options.predicted_steps;

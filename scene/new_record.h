@@ -12,7 +12,7 @@ namespace tw {
 Vec3 moment_reference(const Scene& scene);
 /// Fills what follows from the scene alone: attributes, numbers, scene text, hull, effects, raster, hull findings.
 RunRecord new_record(const Scene& scene, const std::string& method);
-/// Numbers predicted_seconds, predicted_elements, predicted_memory and the command, where the options say them.
+/// Numbers predicted_seconds, predicted_core_seconds, predicted_elements, predicted_memory and the command, where the options say them.
 void note_prediction(RunRecord& record, const RunOptions& options);
 
 }  // namespace tw

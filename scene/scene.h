@@ -283,11 +283,13 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
 /// What one method's run is expected to take.
 struct MethodCost {
     std::string method = {};
-    double elements = 0;                       ///< particles of water and air in the mean of the run, or cells [-]
-    double with_walls = 0;                     ///< those, and the particles in walls [-]
-    double most = 0;                           ///< of those for which there must be memory [-]
-    double seconds = 0, bytes = 0, steps = 0;  ///< [s], [bytes], [-]
-    std::string in_words = {};                 ///< of the elements: "4.56e+04 particles + 1.2e+03 in walls"
+    double elements = 0;            ///< particles of water and air in the mean of the run, or cells [-]
+    double with_walls = 0;          ///< those, and the particles in walls [-]
+    double most = 0;                ///< of those for which there must be memory [-]
+    double seconds = 0, bytes = 0;  ///< wall time on cores without other work [s], [bytes]
+    double core_seconds = 0;        ///< processor time of all its cores [s]; 0: a GPU makes the steps
+    double steps = 0;               ///< of time, of several sizes of particles those of the largest [-]
+    std::string in_words = {};      ///< of the elements: "4.56e+04 particles + 1.2e+03 in walls"
     /// Keys of the method's own section that may make a run long, and by how many times their values do so here.
     std::vector<std::pair<std::string, double>> lengthened_by = {};
 };

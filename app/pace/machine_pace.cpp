@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t remembered = 5;
+constexpr std::size_t remembered = 9;
 constexpr double shortest = 10;      ///< of a run that may teach anything [s]
 constexpr double shortest_fast = 1;  ///< of one that may teach that the machine is faster [s]
 constexpr double of_busy_hour = 2;   ///< times the pace of a later run
@@ -102,7 +102,7 @@ void remember_calibration(const std::string& method, double pace) {
     change([&](Json& of_machine) { of_machine[calibration(method)] = pace; });
 }
 
-void learn_pace(const std::string& method, double expected, double taken, bool alone) {
+void learn_pace(const std::string& method, double expected, double taken, bool undisturbed) {
     if (!(taken > shortest_fast) || !(expected > 0)) return;
     const double pace = taken / expected;
     // Other programs and a run's first seconds make it slower, and nothing makes it faster than the machine is.
@@ -110,7 +110,7 @@ void learn_pace(const std::string& method, double expected, double taken, bool a
     if (!possible(method, pace)) return;
     const bool known = knows_pace(method) || !paces_listed(paces, calibration("")).empty();
     const bool faster = known && pace < median(paces, method);
-    if (!faster && (!alone || !(taken > shortest))) return;
+    if (!faster && (!undisturbed || !(taken > shortest))) return;
     change([&](Json& of_machine) {
         Json kept = Json::array();
         if (of_machine.contains(method) && of_machine[method].is_array())

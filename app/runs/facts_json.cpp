@@ -112,7 +112,10 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
     Json predicted = Json::object();
     for (const std::string& method : scene.run.methods) {
         const MethodCost& cost = p.of(method);
-        predicted[method] = {{"seconds", cost.seconds}, {"bytes", cost.bytes}, {"steps", std::round(cost.steps)}};
+        predicted[method] = {{"seconds", cost.seconds},
+                             {"core_seconds", cost.core_seconds},
+                             {"bytes", cost.bytes},
+                             {"steps", std::round(cost.steps)}};
         if (method == "sph") predicted[method]["sizes"] = sizes;
     }
     Json of_ranks = {{"number", ranks.ranks}};

@@ -132,18 +132,16 @@ RanksTake ranks_take(const PlannedRun& plan, int option) {
         take.bytes_at_start += double(fluid.places.size()) * double(sizeof(fluid.places[0]) + sizeof(fluid.depth[0]));
 
     double all = 0, work = 0, talk = 0, largest_work = 0;
-    int steps = 1;  // of the finest size in one of the largest
     for (const ColumnsOfSize& size : columns_of_water(simulation)) {
         const Division d = divide(size, setup.simulation.mirrors, take.ranks);
         take.particles += d.own_particles, take.copies += d.copies, all += size.all_particles;
         work += size.steps * size.all_work, largest_work += size.steps * d.imbalance * size.all_work;
         talk += size.steps * seconds_of_talk(d, take.ranks);
-        steps = size.steps;
     }
     const MethodCost& cost = plan.prediction.of("sph");
     const double raster = plan.prediction.raster_bytes;
     take.bytes = raster + (cost.bytes - raster) * (take.particles + take.copies) / all;
-    take.seconds = cost.seconds * largest_work / work + talk * cost.steps / steps;
+    take.seconds = cost.seconds * largest_work / work + talk * cost.steps;
     take.line = fmt::format(
         "ranks: {}; the largest has {} particles of its own and {} copies, {:.3g} MB; the first has all particles "
         "while it starts, {:.3g} MB; {}\n",

@@ -85,17 +85,37 @@ RunRecord run_and_tell(const std::string& method, const Scene& scene, const RunO
     }
 }
 
-/// What the throughput table expects of the steps that a run made with the elements that it had [s]. Wrongly predicted
-/// steps are the scene's, not the machine's, and must not enter its pace. 0: starting and meshing, whose cost hardly
-/// depends on the processor, take most of it, so that the run says little of throughput.
-double expected_of_work(const Scene& scene, const std::string& method, const RunRecord& record) {
+/// What the throughput table expects of the steps that a run made with the elements that it had, of `price`, a time of
+/// the prediction [s]. Wrongly predicted steps are the scene's, not the machine's, and must not enter its pace. 0:
+/// starting and meshing, whose cost hardly depends on the processor, take most of it, so that the run says little of
+/// throughput.
+double expected_of_work(const Scene& scene, const std::string& method, const RunRecord& record,
+                        double MethodCost::*price) {
     Scene longer = scene;
     longer.run.duration *= 2;
     const MethodCost cost = predict_by_table(scene).of(method);
-    const double stepping = predict_by_table(longer).of(method).seconds - cost.seconds;
+    const double stepping = predict_by_table(longer).of(method).*price - cost.*price;
     const double made = stepping * (record.steps / cost.steps) * (record.elements / cost.with_walls);
-    const double beside = cost.seconds - stepping;
+    const double beside = cost.*price - stepping;
     return made > beside ? beside + made : 0;
+}
+
+/// Processors are learned by the time that they worked, which other programs beside a run hardly change; a GPU, whose own
+/// time nobody counts, by the clock. Ranks of MPI that wait for others count as working, so that with several of them
+/// other programs do change it.
+void learn_from(const RunRecord& record, const PlannedRun& plan, const std::string& method, const Share& share) {
+    const Scene& scene = plan.scene;
+    const PaceName pace = pace_of(scene, method, &plan.prediction);
+    double wall = 0, processor = 0;
+    for (const Phase& phase : record.phases) wall += phase.wall, processor += phase.cpu;
+    const auto threads = record.attributes.find("threads");
+    const int workers = threads == record.attributes.end() ? 1 : std::atoi(threads->second.c_str());
+    if (pace.of_gpu)
+        return learn_pace(pace.name, expected_of_work(scene, method, record, &MethodCost::seconds) * pace.cores, wall,
+                          share.left(workers));
+    const bool waits_working = solver_of(method).elements_per_rank > 0 && workers > 1;
+    learn_pace(pace.name, expected_of_work(scene, method, record, &MethodCost::core_seconds), processor,
+               !waits_working || share.left(workers));
 }
 
 }  // namespace
@@ -110,6 +130,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     const MethodCost& cost = plan.prediction.of(method);
     options.prediction = &plan.prediction;
     options.predicted_seconds = cost.seconds;
+    options.predicted_core_seconds = cost.core_seconds;
     options.predicted_elements = cost.with_walls;
     options.predicted_bytes = cost.bytes;
     options.predicted_steps = cost.steps;
@@ -130,13 +151,8 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     const Share share;
     RunRecord record = run_and_tell(method, scene, options, teller);
     // what an effect costs is an estimate of its own, and air's is the roughest
-    if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air")) {
-        double taken = 0;
-        for (const Phase& phase : record.phases) taken += phase.wall;
-        const PaceName pace = pace_of(scene, method, &plan.prediction);
-        learn_pace(pace.name, expected_of_work(scene, method, record) * pace.cores, taken,
-                   share.left(std::atoi(record.attributes["threads"].c_str())));
-    }
+    if (record.state == "finished" && !run.resume && scene.run.ranks == 1 && !scene.effect_on("air"))
+        learn_from(record, plan, method, share);
     return record;
 }
 

@@ -18,10 +18,14 @@ std::string openfoam_line(const Scene& scene, const Prediction*) {
     return "OpenFOAM: " + openfoam_for(scene).verdict + "\n";
 }
 
-using Pace = std::function<double(const std::string& method, const Prediction& sizes)>;
-Prediction predict_all(const Scene& scene, const Pace& pace) {
+/// `pace`: of what a name stands for.
+Prediction predict_all(const Scene& scene, const std::function<double(const PaceName&)>& pace) {
     Prediction p = predict_sizes(scene);
-    for (const Solver& s : solvers()) add_cost(p, scene, {s.method, s.predict, pace(s.method, p)});
+    for (const Solver& s : solvers()) {
+        const PaceName name = pace_of(scene, s.method, &p);
+        add_cost(p, scene, {s.method, s.predict, pace(name)});
+        if (name.of_gpu) p.costs.back().core_seconds = 0;
+    }
     return p;
 }
 
@@ -62,15 +66,14 @@ PaceName pace_of(const Scene& scene, const std::string& method, const Prediction
 std::string pace_on_gpu(const std::string& method) { return method + " on " + gpu_name(); }
 
 Prediction predict_here(const Scene& scene) {
-    return predict_all(scene, [&](const std::string& method, const Prediction& sizes) {
-        const PaceName pace = pace_of(scene, method, &sizes);
+    return predict_all(scene, [&](const PaceName& pace) {
         if (pace.of_gpu && !knows_pace(pace.name)) calibrate_gpu_pace(pace.name);
         return machine_pace(pace.name) * pace.cores;
     });
 }
 
 Prediction predict_by_table(const Scene& scene) {
-    return predict_all(scene, [](const std::string&, const Prediction&) { return 1.0; });
+    return predict_all(scene, [](const PaceName&) { return 1.0; });
 }
 
 std::string ready_text(const std::vector<std::string>& methods, const Scene& scene, const Prediction* sizes) {

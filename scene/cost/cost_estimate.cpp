@@ -26,29 +26,45 @@
 namespace tw {
 namespace {
 
-// Throughput, measured on AVX-512 server cores of about 3 GHz; one place for all of them.
-constexpr double particle_steps_per_core_second = 1.1e6;            // delta-SPH with renormalised diffusion, h/dp = 1.5
+// Throughput, measured on a core of an AMD EPYC with AVX-512 by processor time (docs/performance.md, "Predicted and spent
+// time"); one place for all of them.
+constexpr double particle_steps_per_core_second = 2.86e6;           // delta-SPH with renormalised diffusion, h/dp = 1.5
+constexpr double cost_of_flat_particle = 0.37;                      // of one in three dimensions, h/dp = 1.5
+constexpr double start_of_particles = 0.1;                          // seconds: the scene, its walls and the last record
 constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
 constexpr double bytes_of_copies = 50;      // written beside the steps (sph_solver/run_files.h); 47 were measured
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;
 constexpr double steps_of_shedding_edges = 1.45;      // half a prism with cells halved along chine and transom
-constexpr double cell_steps_per_core_second = 235e3;  // interFoam, three pressure correctors
+constexpr double cell_steps_per_core_second = 335e3;  // interFoam, three dimensions, three pressure correctors
+constexpr double cost_of_flat_step = 0.54;            // two dimensions: four faces of a cell in place of six
+constexpr double cost_of_moving_step = 1.6;           // a mesh that follows a body, in two or three dimensions
+constexpr double seconds_per_frame = 0.012;           // files of a moment, whatever the mesh
+constexpr double seconds_per_cell_of_frame = 3.5e-7;  // read again for the record
 constexpr double cost_of_geometric_capture = 4;       // interIsoFoam's step beside interFoam's, in three dimensions
 constexpr double bytes_per_cell = 2.5e3, bytes_of_interfoam = 115e6;
 constexpr double steps_per_cell_crossing = 0.63;  // at Courant number 4: 240 steps/s at 21 mm and 8 m/s
-constexpr double steps_per_frame = 4;             // interFoam hits every sampling time and then regains its step slowly
+constexpr double mean_of_fastest = 0.68;          // in time: weir, sluice and bump of studies/, 0.66 to 0.70
+constexpr double steps_per_frame = 2;             // where interFoam hits every sampling time
 // A hull held in a stream (decision 015): the demo's members, whose snapped cells set the steps; its settings.
 constexpr double held_steps_per_cell_crossing = 1.2, cost_of_held_step = 0.67;
-constexpr double start_seconds = 5;                    // self-test, and starting the programs of a case
-constexpr double mesh_seconds_per_cell = 20.0 / 74e3;  // blockMesh, features, snappyHexMesh, renumber
-constexpr double seconds_per_element_step = 1e-6;      // of a tyre's hexahedra
-constexpr double parallel_share = 0.8;                 // of each further core (1.58 times on two)
+constexpr double start_seconds = 0.8;              // starting the programs of a case
+constexpr double mesh_seconds_per_cell = 1.1e-4;   // blockMesh, features, snappyHexMesh, renumber
+constexpr double seconds_per_element_step = 1e-6;  // of a tyre's hexahedra
+constexpr double parallel_share = 0.8;             // of each further core (1.58 times on two)
 
 /// Of a run of so many steps: its sub-steps, in each half of a step, on one core.
 double seconds_of_tyre(const ElasticTyre& tyre, double duration, double steps) {
     const TyreSteps cut = steps_of(tyre, solid_of(tyre));
     return 2 * steps * std::ceil(duration / steps / 2 / cut.longest()) * cut.elements * seconds_per_element_step;
+}
+
+/// Of one of interFoam's, in those of the throughput above.
+double cost_of_step(const Scene& scene) {
+    const bool flat = scene.domain.dimensions == 2;
+    const double surface = scene.fvm.captures_geometrically() && !flat ? cost_of_geometric_capture : 1;  // decision 028
+    if (!scene.bodies.empty() || (scene.hull && scene.hull->free)) return surface * cost_of_moving_step;
+    return surface * (flat ? cost_of_flat_step : hull_held_in_stream(scene) ? cost_of_held_step : 1);
 }
 
 double cores(const Scene& scene) {
@@ -77,18 +93,22 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
     MethodCost cost;
     const double dp = finest_spacing(scene);
     const bool flat = scene.domain.dimensions == 2;
-    double steps_of_finest = 0;  // of as many particles as are due in a step of the finest size
-    for (const ParticlesOfSize& size : particles_of_sizes(scene)) steps_of_finest = size.all() + steps_of_finest / 2;
-    cost.steps =
+    double due = 0;  // particles in a step of the finest size
+    for (const ParticlesOfSize& size : particles_of_sizes(scene)) due = size.all() + due / 2;
+    const double finest_steps =
         scene.run.duration * (scene.sph.c0 + speed_of_water(scene)) / (scene.sph.cfl * scene.sph.h_over_dp * dp);
-    // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5.
-    const double neighbours = std::pow(scene.sph.h_over_dp / 1.5, flat ? 2 : 3) * (flat ? 0.3 : 1);
-    cost.seconds = pace * (steps_of_finest + p.wall_particles) * cost.steps * neighbours /
-                   (particle_steps_per_core_second * cores_of_particles(scene));
+    cost.steps = finest_steps / std::exp2(sizes_of_particles(scene) - 1);
+    // Work grows with the number of neighbours: the throughput above is that of h/dp = 1.5. In two dimensions they are
+    // the smaller part of it: measured at h/dp = 1.55 and 2.
+    const double h = scene.sph.h_over_dp / 1.5, neighbours = flat ? cost_of_flat_particle * h : h * h * h;
+    cost.seconds = pace * ((due + p.wall_particles) * finest_steps * neighbours / particle_steps_per_core_second) /
+                   cores_of_particles(scene);
     for (const EffectChoice& e : scene.effects)
         if (e.on && !effect_part(e.name).in_the_throughput) cost.seconds *= 1 + e.cost;
     for (const MovingBody& body : scene.bodies)
-        if (body.tyre()) cost.seconds += pace * seconds_of_tyre(*body.tyre(), scene.run.duration, cost.steps);
+        if (body.tyre()) cost.seconds += pace * seconds_of_tyre(*body.tyre(), scene.run.duration, finest_steps);
+    cost.seconds += pace * start_of_particles;
+    cost.core_seconds = cost.seconds * cores_of_particles(scene);
     if (scene.effect_on("air"))
         cost.steps *=
             std::max(1.0, (scene.sph.air_c0 + speed_of_water(scene)) / (scene.sph.c0 + speed_of_water(scene)));
@@ -109,20 +129,26 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
 
 MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
     MethodCost cost;
-    const bool held = hull_held_in_stream(scene);
-    const double courant_rate = (held ? held_steps_per_cell_crossing : steps_per_cell_crossing) *
-                                speed_of_water(scene) / finest_spacing(scene) * 4 /
+    const bool held = hull_held_in_stream(scene), flat = scene.domain.dimensions == 2;
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
+    // What falls over weirs and runs under gates is faster than the stream that comes.
+    const double speed =
+        stream ? std::max(speed_of_water(scene), mean_of_fastest * explained_speed(scene)) : speed_of_water(scene);
+    const double cell = finest_spacing(scene) / (stream && scene.hull && flat ? 1 << section_levels : 1);
+    const double courant_rate = (held ? held_steps_per_cell_crossing : steps_per_cell_crossing) * speed / cell * 4 /
                                 std::min(scene.fvm.max_courant, scene.fvm.max_alpha_courant) *
                                 (edge_refinement(scene).edges.empty() ? 1 : steps_of_shedding_edges);
-    // A held hull's frames are taken at the steps there are.
-    const double frame_rate = held ? 0 : steps_per_frame / scene.sampling.interval;
+    // In a tank, and of a held hull, frames are taken at the steps there are.
+    const bool meets_frames = stream && !held;
+    const double frame_rate = meets_frames ? steps_per_frame / scene.sampling.interval : 0;
     cost.steps = scene.run.duration * std::max(courant_rate, frame_rate);
-    const double n = cores(scene);
-    const bool dearer = scene.fvm.captures_geometrically() && scene.domain.dimensions == 3;  // decision 028
-    const double of_a_step = dearer ? cost_of_geometric_capture : held ? cost_of_held_step : 1;
-    cost.seconds =
-        pace * (start_seconds + p.cells * mesh_seconds_per_cell +
-                p.cells * cost.steps * of_a_step / (cell_steps_per_core_second * (1 + (n - 1) * parallel_share)));
+    const double n = cores(scene), frames = std::min(p.frames, cost.steps);
+    const double alone = start_seconds + p.cells * (mesh_seconds_per_cell + frames * seconds_per_cell_of_frame);
+    const double shared =
+        (p.cells * cost.steps * cost_of_step(scene) / cell_steps_per_core_second + frames * seconds_per_frame) /
+        (1 + (n - 1) * parallel_share);
+    cost.seconds = pace * (alone + shared);
+    cost.core_seconds = pace * (alone + shared * n);  // ranks that wait for others use their cores
     cost.bytes = p.raster_bytes + p.cells * bytes_per_cell + bytes_of_interfoam * n;
     cost.elements = cost.with_walls = cost.most = p.cells;
     cost.in_words = plain_number(p.cells) + " cells";

@@ -17,7 +17,7 @@ std::vector<CostOfSize> cost_of_sizes(const Scene& scene, const Prediction& p, c
         const bool finest = k + 1 == sizes.size();
         const double steps_of_finest = std::exp2(sizes.size() - 1 - k);
         const double walls = finest ? p.wall_particles : 0, all = size.particles.all() + walls;
-        size.dt = scene.run.duration / cost.steps * steps_of_finest;
+        size.dt = scene.run.duration / cost.steps / std::exp2(k);
         size.bytes = (cost.bytes - p.raster_bytes) * (most[k].all() + walls) / in_memory;
         visits += size.seconds = all / steps_of_finest;
     }

@@ -24,8 +24,9 @@ struct RunOptions {
     bool resume = false;           ///< go on from the last checkpoint; without it a folder that holds a run is refused
     bool overwrite = false;        ///< begin anew in a folder that holds a run
     int threads = 0;               ///< 0: all cores (OpenMP threads; MPI ranks for the FVM side)
-    /// As said before the run [s], [-], [bytes], [-]; go into its record; 0: not said.
-    double predicted_seconds = 0, predicted_elements = 0, predicted_bytes = 0, predicted_steps = 0;
+    /// As said before the run, see MethodCost; go into its record; 0: not said. [s], [s], [-], [bytes], [-]
+    double predicted_seconds = 0, predicted_core_seconds = 0, predicted_elements = 0, predicted_bytes = 0,
+           predicted_steps = 0;
     const Prediction* prediction = nullptr;  ///< of the scene, where it has been made; it has to outlive the run
     std::string command;  ///< that makes the run again, a word a line; goes into its record; empty: not said
     std::function<void(const Progress&)> progress = {};

@@ -43,6 +43,14 @@ TEST_F(Pace, AShortRunEndsItToo) {
     EXPECT_DOUBLE_EQ(machine_pace("sph"), 1.2) << "a short run that is slow tells of its first seconds";
 }
 
+TEST_F(Pace, IsTheMedianOfNineRunsSoThatFourOddOnesDoNotMoveIt) {
+    for (int k = 0; k < 5; ++k) learn_pace("sph", 20, 20, true);
+    for (int k = 0; k < 4; ++k) learn_pace("sph", 20, 38, true);
+    EXPECT_DOUBLE_EQ(machine_pace("sph"), 1);
+    for (int k = 0; k < 2; ++k) learn_pace("sph", 20, 38, true);
+    EXPECT_DOUBLE_EQ(machine_pace("sph"), 1.9) << "five of the last nine";
+}
+
 TEST_F(Pace, ThatNoProcessorHasComesFromTheTableAndTeachesNothing) {
     write("\"fvm\": [0.08, 1.4, 1.6], \"bench\": 1.7");
     EXPECT_DOUBLE_EQ(machine_pace("fvm"), 1.5) << "learned by an earlier version";

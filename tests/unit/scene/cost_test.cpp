@@ -21,17 +21,56 @@ TEST(Cost, ParticlesAreTheWatersVolumeOverTheirOwn) {
 TEST(Cost, HalvingTheSpacingCostsSixteenTimes) {
     const Prediction coarse = predict(scene_of(tank)), fine = predict(scene_of(with(tank, "0.01", "0.005")));
     EXPECT_NEAR(fine.of("sph").seconds / coarse.of("sph").seconds, 16,
-                0.01);                                                 // eight times the particles, half the step
+                0.05);                                                 // eight times the particles, half the step
     EXPECT_GT(fine.of("fvm").seconds / coarse.of("fvm").seconds, 12);  // meshing grows with the cells alone
 }
 
-// Processor time of snappyHexMesh, v1912, which makes most of it: 2.5, 8.1 and 1.7 s for the 26 423, 29 551 (a section)
-// and 21 798 cells of the studies demo_coarse, planing_plate and cylinder_entry.
+// Processor time of the phase "meshing", v1912: 2.0, 3.1 and 6.2 s for the 13 892, 26 364 and 49 700 cells of the demo.
 TEST(Cost, MeshingIsPartOfThePrediction) {
     const Prediction p = predict(scene_of(with(tank, "duration = 1", "duration = 1e-9")));
     EXPECT_LT(p.of("fvm").steps, 1);
-    EXPECT_GT(p.of("fvm").seconds, 8.1 / 29551 * p.cells * 0.9);
-    EXPECT_LT(p.of("fvm").seconds, 8.1 / 29551 * p.cells * 1.5);
+    EXPECT_NEAR(p.of("fvm").seconds / (3.1 / 26364 * p.cells), 1, 0.25);
+}
+
+// Processor time on the machine of the table, one thread (docs/results/cost_of_accuracy.md). The runs shared their two cores with other programs: their time by the clock was
+// up to eight times as long.
+TEST(Cost, TheTablesOwnMachineSpendsWhatIsPredicted) {
+    struct Spent {
+        const char* study;
+        double scale, particles, cells;  // [-], [s], [s]
+    };
+    for (const Spent& run :
+         {Spent{"demo", 2, 39.8, 9.8}, Spent{"demo", 1.41421356, 53.7, 20.2}, Spent{"demo", 1, 136.7, 68.6},
+          Spent{"planing_fridsma", 1.41421356, 74.4, 25.6}, Spent{"regular_wave", 1, 83.6, 226.8},
+          Spent{"regular_wave", 2, 10.9, 30.9}, Spent{"channel_bump", 1.41421356, 19.9, 16.7},
+          Spent{"channel_bump", 2, 7.8, 10.9}, Spent{"sluice", 0.70710678, 25.1, 28.3}}) {
+        SceneOverrides o;
+        o.scale_resolution = run.scale;
+        Scene s = read_scene(std::filesystem::path(TWINWAKE_SOURCE "/studies") / (std::string(run.study) + ".toml"), o);
+        s.run.threads = 1;
+        const Prediction p = predict(s);
+        EXPECT_NEAR(std::log(p.of("sph").core_seconds / run.particles), 0, std::log(1.3)) << run.study << run.scale;
+        EXPECT_NEAR(std::log(p.of("fvm").core_seconds / run.cells), 0, std::log(1.3)) << run.study << run.scale;
+    }
+}
+
+TEST(Cost, ProcessorTimeIsThatOfAllCores) {
+    Scene s = scene_of(tank);
+    s.run.threads = 1;
+    const Prediction one = predict(s);
+    s.run.threads = 4;
+    const Prediction four = predict(s);
+    EXPECT_DOUBLE_EQ(one.of("sph").core_seconds, one.of("sph").seconds);
+    EXPECT_NEAR(four.of("sph").core_seconds / one.of("sph").core_seconds, 1, 0.01);
+    EXPECT_NEAR(four.of("sph").core_seconds / four.of("sph").seconds, 4, 0.01);
+    EXPECT_GT(four.of("fvm").core_seconds, one.of("fvm").core_seconds) << "ranks that wait for others use their cores";
+}
+
+// A step is one of the largest particles, as the record and the progress count them: else a run of two sizes would teach
+// that the machine is half as fast as one of one size.
+TEST(Cost, StepsOfSeveralSizesAreThoseOfTheLargest) {
+    const Scene one = scene_of(planing + one_size), two = scene_of(planing + "[sph]\nlevels = 2\n");
+    EXPECT_DOUBLE_EQ(predict(two).of("sph").steps, predict(one).of("sph").steps / 2);
 }
 
 // Measured with the hull of demo_coarse at twice its sizes, 326 steps in both: 34 s of processor time for the solver with

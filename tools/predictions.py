@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""Compares the predicted processor time of runs with what they spent, and makes a table of it.
+
+    tools/predictions.py FOLDER ... [--into PAGE [--mark predictions]] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies]
+
+Every finished record below the folders that was made by one thread counts, if it spent `--least` seconds (10). "said" is
+what the program predicted when the run was made, with the pace that it had learned by then; "now" is what --twinwake
+predicts of the same scene text, size and duration by its table alone (its cache is an empty folder, so that it has learned
+nothing): on the machine of the table that should be 1. Records whose scene it cannot read again, or that differ from the
+scene text in more than size and duration (another box, an uncertain number at its end), have no such value. Surfaces that
+scenes name are looked for in `--surfaces`. With --into the table replaces what is in PAGE between the lines `<!-- MARK
+-->` and `<!-- /MARK -->`. Needs h5py. Exit status: 0; 2: wrong usage, or no record.
+"""
+import argparse
+import collections
+import json
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+checkout = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(checkout / "python"))
+import twinwake  # noqa: E402
+
+names = {"sph": "SPH", "fvm": "interFoam"}
+within = 1.3
+
+
+def predicted_now(program, record, folder):
+    """Processor time [s] by the table; None where the scene cannot be read again."""
+    scene = folder / "scene.toml"
+    scene.write_text(record.scene_text, encoding="utf-8")
+    words = [str(program), "check", str(scene), "--threads", "1", "--quiet", "--json", "-",
+             "--scale", repr(record.numbers.get("size_scale", 1)), "--duration", repr(record.numbers["duration"])]
+    ended = subprocess.run(words, capture_output=True, text=True, cwd=folder,
+                           env={**os.environ, "XDG_CACHE_HOME": str(folder / "cache")})
+    try:
+        return json.loads(ended.stdout)["predicted"][record.method]["core_seconds"]
+    except (json.JSONDecodeError, KeyError):
+        return None
+
+
+def only_sizes_differ(path):
+    """Whether no folder of a member with another box or another number lies above the record."""
+    return not any(part.startswith("box_") or part.endswith(("_low", "_high")) for part in path.parts)
+
+
+def told(ratios):
+    if not ratios:
+        return "–", "–"
+    return f"{statistics.median(ratios):.2f}", f"{min(ratios):.2f} to {max(ratios):.2f}"
+
+
+def row(name, method, runs):
+    cells = [name, method, str(len(runs)), f"{sum(r['spent'] for r in runs):.0f}"]
+    for when in ("said", "now"):
+        cells += told([r[when] / r["spent"] for r in runs if r[when]])
+    return "| " + " | ".join(cells) + " |"
+
+
+def sentence(runs, when):
+    ratios = [r[when] / r["spent"] for r in runs if r[when]]
+    good = sum(1 for q in ratios if abs(math.log(q)) <= math.log(within))
+    worst = max((max(q, 1 / q) for q in ratios), default=float("nan"))
+    return f"{good} of {len(ratios)} within {within} (worst factor {worst:.1f})"
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("folders", nargs="+", type=pathlib.Path)
+    words.add_argument("--into", type=pathlib.Path)
+    words.add_argument("--mark", default="predictions")
+    words.add_argument("--twinwake", type=pathlib.Path, default=checkout / "build" / "twinwake")
+    words.add_argument("--least", type=float, default=10)
+    words.add_argument("--surfaces", type=pathlib.Path, default=checkout / "studies")
+    given = words.parse_args()
+
+    groups, machines = collections.defaultdict(list), set()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        for surface in given.surfaces.resolve().glob("*.stl"):
+            (folder / surface.name).symlink_to(surface)
+        for path in sorted(p for f in given.folders for p in f.rglob("record.h5")):
+            with twinwake.Record(path, verify=False) as record:
+                said = record.numbers.get("predicted_core_seconds", record.numbers.get("predicted_seconds"))
+                if record.state != "finished" or record.attributes.get("threads") != "1" or not said:
+                    continue
+                if record.cost.cpu < given.least:
+                    continue
+                now = predicted_now(given.twinwake.resolve(), record, folder) if only_sizes_differ(path) else None
+                case = pathlib.Path(record.attributes.get("scene_file", "?")).stem
+                groups[case, record.method].append({"spent": record.cost.cpu, "said": said, "now": now})
+                machines.add(record.attributes.get("machine", "unknown"))
+    if not groups:
+        sys.exit("no finished record of one thread below " + ", ".join(map(str, given.folders)))
+
+    lines = [f"Made by `tools/predictions.py` from runs on {', '.join(sorted(machines))}, one thread each, of at least "
+             f"{given.least:g} s of processor time:", "",
+             "| scene | method | runs | spent [s] | said / spent: median | from, to | now / spent: median | from, to |",
+             "|---|---|---|---|---|---|---|---|"]
+    lines += [row(case, names.get(method, method), runs) for (case, method), runs in sorted(groups.items())]
+    lines.append("")
+    for method in sorted({m for _, m in groups}, reverse=True):
+        runs = [r for (_, m), of in groups.items() if m == method for r in of]
+        lines.append(f"- {names.get(method, method)}: said {sentence(runs, 'said')}, now {sentence(runs, 'now')}.")
+    text = "\n".join(lines) + "\n"
+    if not given.into:
+        print(text, end="")
+        return
+    page = given.into.read_text(encoding="utf-8")
+    begin, end = f"<!-- {given.mark} -->\n", f"<!-- /{given.mark} -->"
+    if begin not in page or end not in page:
+        sys.exit(f"{given.into}: expected the lines {begin.strip()} and {end}")
+    head, tail = page.split(begin, 1)
+    given.into.write_text(head + begin + text + end + tail.split(end, 1)[1], encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
