@@ -25,7 +25,7 @@ nlohmann::json quantity_in(const fs::path& json, const std::string& name) {
         if (q["name"] == name) return q;
     return {};
 }
-double value_of(const nlohmann::json& quantity) { return quantity["sources"][0]["value"]; }
+double value_of(const nlohmann::json& quantity) { return quantity["values"][0]; }
 
 TEST_F(Command, ABodyInAWaveHasItsResponseOverTheWaveOfTheRunWithoutIt) {
     write("box.toml", box_in_waves());
