@@ -7,6 +7,7 @@
 
 #include "record/certificate.h"
 #include "record/code_version.h"
+#include "record/empty_twin.h"
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
@@ -19,6 +20,7 @@
 #include "scene/solids/thin_jet.h"
 #include "scene/water/capillary.h"
 #include "scene/water/dry_floor.h"
+#include "scene/water/tailwater.h"
 
 namespace tw {
 
@@ -189,6 +191,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["wave_trough"] = wave.trough;
         record.numbers["wave_direction"] = wave.sum.direction;
     }
+    if (const auto of = scene.empty_twin_of.find(method); of != scene.empty_twin_of.end())
+        record.attributes[std::string(empty_twin_of_run)] = of->second;
     if (scene.sea) note_sea(record, scene);
     if (scene.has_wave())
         for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;

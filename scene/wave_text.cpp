@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
+#include "scene/empty_twin.h"
 #include "waves/steepness.h"
 
 namespace tw {
@@ -50,6 +52,8 @@ std::string regular_wave_text(const Scene& scene) {
             "; artificial viscosity takes {:.2g} % of the particles' height in a wave length, {:.2g} % "
             "between the zones (measured, of all causes: 2 to 4 % at eight particles in the height)",
             100 * loss_by_artificial_viscosity(scene, w.length), 100 * loss_by_artificial_viscosity(scene, between));
+    if (wants_empty_twin(scene))
+        out += "\n  twin      each size is run without the bodies too: responses are given over the wave there as well";
     return out + "\n";
 }
 
@@ -70,6 +74,30 @@ std::string what_it_is(const Sea& sea) {
             return fmt::format("{}, significant height {:.4g} m, peak period {:.4g} s", name_of(sea.kind),
                                sea.significant_height, sea.peak_period);
     }
+}
+
+/// What neither order has: high waves are faster. As far as a regular wave as high as the focus would be ahead of it
+/// (measured: docs/results/seas.md).
+std::string third_order_text(const Sea& sea, const WaveScales& w) {
+    const double k = 2 * std::numbers::pi / w.length, linear = std::sqrt(sea.gravity / k * std::tanh(k * sea.depth()));
+    double faster = 0;
+    try {
+        faster = regular_wave({.height = w.height,
+                               .length = w.length,
+                               .depth = sea.depth(),
+                               .gravity = sea.gravity,
+                               .theory = RegularWave::Theory::stream_function})
+                         .speed_in_water /
+                     linear -
+                 1;
+    } catch (const std::domain_error& e) { return fmt::format("  third     order: {}\n", e.what()); }
+    constexpr double comes_apart = 0.05;  // peak periods; at 0.03 the crest is 4 to 9 % lower, at 0.12 a quarter
+    const double early = faster * sea.focus_time;
+    return fmt::format(
+        "  third     order, left out too: a regular wave as high as the focus is {:.2g} % faster than by linear "
+        "theory, "
+        "so that its crests come about {:.2g} s earlier{}\n",
+        100 * faster, early, early > comes_apart * w.period ? " (!) so high a group comes apart before its focus" : "");
 }
 
 /// A sum of waves, and what it leaves out.
@@ -98,7 +126,8 @@ std::string sea_text(const Scene& scene) {
     if (sea.kind == Sea::Kind::focused) {
         const double from = sea.focus_time - 2 * sea.peak_period, to = sea.focus_time + 2 * sea.peak_period;
         const Crest second = highest_crest(sea, sea.focus_place, from, to, true);
-        out += fmt::format("  crest     by second order {:.4g} m at t = {:.4g} s\n", second.height, second.time);
+        out += fmt::format("  crest     by second order {:.4g} m at t = {:.4g} s\n", second.height, second.time) +
+               third_order_text(sea, w);
     }
     out += fmt::format(
         "  regime    at the peak: H/L {:.3g}, k d {:.3g} ({} water), Ursell {:.3g}, {:.2g} % of the highest "

@@ -11,6 +11,7 @@
 #include "app/campaign/side_by_side.h"
 #include "app/pace/jobs_by_default.h"
 #include "app/progress/run_told.h"
+#include "app/runs/read_run.h"
 #include "app/runs/solvers.h"
 #include "app/study/study.h"
 #include "app/terminal/stop_signal.h"
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 std::optional<RunRecord> record_of(const CampaignRun& run) {
     const fs::path file = run.folder / "record.h5";
     if (!fs::exists(file)) return {};
-    RunRecord record = read_record(file);
+    RunRecord record = read_run(file);
     if (record.attributes["run_hash"] != run_hash(run.plan.scene, run.method)) return {};
     return record;
 }
@@ -182,7 +183,7 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
     if (const auto why = refused_.find(run.folder); why != refused_.end()) throw InputError(why->second);
     if (const auto found = known_.find(run.folder); found != known_.end()) {
         CampaignResult result = found->second;
-        if (result.state == State::done) result.record = read_record(run.folder / "record.h5");
+        if (result.state == State::done) result.record = read_run(run.folder / "record.h5");
         return result;
     }
     if (std::optional<RunRecord> earlier = rules_.take_finished ? finished_run(run) : std::nullopt) {
@@ -215,7 +216,7 @@ CampaignResult Campaign::run_or_take(CampaignRun run) {
         complain(run.name + ": failed: " + e.what());
         return {State::failed, {}, e.what()};
     }
-    return {State::done, read_record(run.folder / "record.h5"), {}};
+    return {State::done, read_run(run.folder / "record.h5"), {}};
 }
 
 }  // namespace tw::app

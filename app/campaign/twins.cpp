@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/arguments/output.h"
+#include "app/runs/read_run.h"
 #include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
@@ -46,11 +47,13 @@ std::string Twins::prediction_text(const Scene& scene, double own) const {
     const auto count = [&](auto what) { return std::ranges::count_if(plan_.jobs, what); };
     const auto boxes = count([](const LadderJob& j) { return j.choice && j.choice->box; });
     const auto inputs = count([](const LadderJob& j) { return j.choice && !j.choice->input.empty(); });
-    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes - inputs;
+    const auto empty = count([](const LadderJob& j) { return j.is_empty_twin(); });
+    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes - inputs - empty;
     std::string text;
     if (sizes > 0)
-        text = fmt::format("grid triplet: {} coarser run{}{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
+        text = fmt::format("grid triplet: {} coarser run{}{}{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
                            sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "",
+                           empty > 0 ? fmt::format(", {} without bodies", empty) : "",
                            inputs > 0 ? fmt::format(", {} for [uncertain]", inputs) : "", about_text(seconds()),
                            own > 0 ? 100 * seconds() / own : 0);
     for (const std::string& line : plan_.left_out) text += "! grid triplet: " + line + "\n";
@@ -96,7 +99,7 @@ std::optional<Ladder> Twins::ladder(const std::vector<RunRecord>& records, const
     LadderHarvest harvest = harvest_;
     for (const LadderJob& job : of_other_methods_)
         if (is_finished(job.run))
-            take(harvest, job, {CampaignResult::State::taken, read_record(job.run.folder / "record.h5"), {}});
+            take(harvest, job, {CampaignResult::State::taken, read_run(job.run.folder / "record.h5"), {}});
     // of methods whose own run is there and finished: the others' twins say nothing of what is compared
     LadderHarvest all;
     all.left_out = harvest.left_out;

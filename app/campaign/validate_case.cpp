@@ -99,14 +99,17 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
             result.why_not = e.what();
         }
         if (result.state == CampaignResult::State::stopped) return false;
-        if (result.there()) {
+        if (result.there() && job.is_empty_twin()) {
+            charge(harvest, ladder_run(std::move(*result.record)));
+        } else if (result.there()) {
             if (const std::string& version = result.record->attributes["code_version"];
                 std::ranges::find(harvest.versions, version) == harvest.versions.end())
                 harvest.versions.push_back(version);
             LadderRun made = with_readings(run.folder / "record.h5", std::move(*result.record), planned, place);
             charge(harvest, made);
             into(std::move(made));
-        } else if (!job.choice && std::abs(run.plan.scene.resolution.near_hull / scene.near_hull - 1) < 1e-6) {
+        } else if (!job.choice && !job.is_empty_twin() &&
+                   std::abs(run.plan.scene.resolution.near_hull / scene.near_hull - 1) < 1e-6) {
             harvest.why_failed[run.method] = result.why_not;
         } else {
             harvest.harvest.left_out.push_back(run.name + ": " + result.why_not);

@@ -4,6 +4,7 @@
 
 #include "app/arguments/output.h"
 #include "app/campaign/report_every.h"
+#include "app/runs/read_run.h"
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/ladder/ladder_report.h"
 #include "compare/report/numbers.h"
@@ -51,7 +52,7 @@ Ladder report_ladder(const LadderHarvest& harvest, const std::vector<RunRecord>&
     write_tables(ladder, out);
     std::vector<RunRecord> finest;
     for (const LadderSide& side : ladder.sides) {
-        finest.push_back(read_record(side.runs.front().file));
+        finest.push_back(read_run(side.runs.front().file));
         finest.back().attributes["command"] = common.command;  // makes this page again, not only the finest pair
     }
     CompareOptions options;

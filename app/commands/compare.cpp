@@ -10,6 +10,7 @@
 #include "app/arguments/output.h"
 #include "app/campaign/ladder_jobs.h"
 #include "app/campaign/write_ladder.h"
+#include "app/runs/read_run.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/ladder/judge_by_sizes.h"
@@ -45,6 +46,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     if (!fs::is_directory(folder)) return files;
     constexpr int deepest = 3;  // size, a variation, method: behind it lie cases
     for (fs::recursive_directory_iterator at(folder), end; at != end; ++at) {
+        if (at->path().filename() == empty_twins_folder) at.disable_recursion_pending();  // read_run finds them
         if (at->path().filename() == "record.h5") files.push_back(at->path());
         if (at.depth() >= deepest || at->path().filename() == "case") at.disable_recursion_pending();
     }
@@ -66,7 +68,7 @@ std::vector<fs::path> files_of_sizes(const fs::path& source) {
 
 void take_finished(LadderHarvest& harvest, const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
-        RunRecord record = read_record(file);
+        RunRecord record = read_run(file);
         if (record.state != "finished") continue;
         harvest.take(std::move(record), file);
         if (std::optional<LadderVariation> input = uncertain_input_of(file, harvest.runs.back())) {
@@ -87,7 +89,7 @@ std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
     const std::vector<fs::path> twins = twin_files(command.sources.front());
     if (twins.empty()) return {};
     LadderHarvest harvest;
-    for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_record(file), file);
+    for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_run(file), file);
     take_finished(harvest, twins);
     part_variations(harvest);
     harvest.drop_lone_variations();
@@ -108,7 +110,7 @@ int compare_ladder(const CompareCommand& command, const Common& common) {
             take_finished(harvest, sizes);
             continue;
         }
-        for (const fs::path& file : record_files(source)) harvest.take(read_record(file), file);
+        for (const fs::path& file : record_files(source)) harvest.take(read_run(file), file);
         take_finished(harvest, twin_files(source));
     }
     part_variations(harvest);
@@ -153,7 +155,7 @@ int run_compare(const CompareCommand& command, const Common& common) {
     if (command.ladder) return compare_ladder(command, common);
     std::vector<RunRecord> records;
     for (const fs::path& source : command.sources)
-        for (const fs::path& file : record_files(source)) records.push_back(read_record(file));
+        for (const fs::path& file : record_files(source)) records.push_back(read_run(file));
     CompareOptions options;
     options.force = command.force;
     Comparison comparison = compare_records(std::move(records), options);

@@ -6,11 +6,13 @@
 #include "app/arguments/output.h"
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
+#include "app/campaign/empty_twin.h"
 #include "app/campaign/report_every.h"
 #include "app/campaign/twins.h"
 #include "app/runs/body_outcome.h"
 #include "app/runs/facts_json.h"
 #include "app/runs/ranks.h"
+#include "app/runs/read_run.h"
 #include "app/runs/solvers.h"
 #include "app/study/study.h"
 #include "app/terminal/stop_signal.h"
@@ -68,6 +70,15 @@ std::string prediction_text(const PlannedRun& plan) {
     return text;
 }
 
+/// Of the scene's own size.
+std::vector<CampaignRun> empty_twins_of(const PlannedRun& plan, const fs::path& out) {
+    std::vector<CampaignRun> runs;
+    for (const std::string& method : methods_of(plan.scene))
+        if (std::optional<CampaignRun> twin = empty_twin_of({method_label(method), method, plan, out / method}))
+            runs.push_back(std::move(*twin));
+    return runs;
+}
+
 /// What --budget chooses, or chose when the run was begun; none: it is not given.
 std::optional<PaidSizes> paid_sizes(const RunCommand& command, const RunRequest& own, const fs::path& out) {
     if (command.budget.empty()) return {};
@@ -93,7 +104,7 @@ std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const
     for (const std::string& method : method_names()) {
         const fs::path file = out / method / "record.h5";
         if (!fs::exists(file)) continue;
-        RunRecord record = read_record(file);
+        RunRecord record = read_run(file);
         const bool run_now = std::ranges::find(now, method) != now.end();
         if (run_now ? record.attributes["run_hash"] == run_hash(scene, method)
                     : record.attributes["scene_hash"] == scene.hash)
@@ -207,9 +218,13 @@ int run_run(const RunCommand& command, const Common& common) {
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene, &plan.prediction));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
-    say(common, fmt::format("{}\n{}{}{}{}results in {}\n", scene.title, warnings_text(scene),
+    const std::vector<CampaignRun> empty = empty_twins_of(plan, out);
+    std::string of_empty;
+    for (const CampaignRun& run : empty)
+        of_empty += fmt::format("{}: {}\n", run.name, about_text(run.plan.seconds(run.method)));
+    say(common, fmt::format("{}\n{}{}{}{}{}results in {}\n", scene.title, warnings_text(scene),
                             paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
-                            twins ? twins->prediction_text(scene, own) : "", out.string()));
+                            of_empty, twins ? twins->prediction_text(scene, own) : "", out.string()));
 
     FolderLock lock(out);
     if (paid) remember(*paid, budget_seconds(command.budget), out);
@@ -218,6 +233,7 @@ int run_run(const RunCommand& command, const Common& common) {
     Campaign campaign(common, rules);
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
     std::vector<CampaignRun> all = twins ? twins->runs() : std::vector<CampaignRun>{};
+    all.insert(all.end(), empty.begin(), empty.end());
     for (const std::string& method : methods) all.push_back({method_label(method), method, plan, out / method});
     if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
 
@@ -231,6 +247,8 @@ int run_run(const RunCommand& command, const Common& common) {
         return run_failed;
     };
     if (twins && !twins->run(campaign)) return stopped("coarser runs");
+    for (const CampaignRun& run : empty)
+        if (campaign.run_or_take(run).state == CampaignResult::State::stopped) return stopped(run.name);
     bool failed = false;
     for (const std::string& method : methods) {
         const CampaignResult result = campaign.run_or_take({method_label(method), method, plan, out / method});
@@ -241,7 +259,7 @@ int run_run(const RunCommand& command, const Common& common) {
         }
         if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
     }
-    failed |= campaign.any_failed();  // a twin
+    failed |= campaign.any_failed();  // a twin, coarser or empty
     pages.end();
 
     return report(plan, command, common, out, {std::move(runs), failed, campaign.unfinished()},

@@ -75,60 +75,6 @@ std::array<MeanValue, 3> values_at(const RunRecord& r, const std::string& gauge,
     return {mean_over(height, periods), mean_over(crest, periods), mean_over(trough, periods)};
 }
 
-/// First harmonic of a body's motion over `of_wave`, its amplitude in the wave. `of_row`: the motion in a row of its table.
-template <class OfRow>
-MeanValue response_in(const Table& table, const WavePeriods& periods, double of_wave, OfRow of_row) {
-    std::vector<double> found;
-    for (int k = 0; k < periods.count; ++k) {
-        const double from = periods.from + k * periods.period;
-        const WaveSamples s = samples_between(table.time, from, from + periods.period, of_row);
-        if (static_cast<int>(s.t.size()) >= 2 * unknowns)
-            found.push_back(std::abs(first_harmonic(s.t, s.x, 2 * pi / periods.period)) / of_wave);
-    }
-    return mean_over(found, periods);
-}
-
-/// How far bodies heave and pitch in the wave.
-void add_responses(Comparison& comparison, const WavePeriods& periods) {
-    std::set<std::string> bodies;
-    double height = NAN, length = NAN;
-    for (const RunRecord& r : comparison.sources) {
-        if (!std::isfinite(height))
-            height = number_of(r, "wave_height", NAN), length = number_of(r, "wave_length", NAN);
-        for (const auto& [name, table] : r.tables)
-            if (name.starts_with("body_") && table.find("z") && table.find("q0") && table.find("qy"))
-                bodies.insert(name.substr(5));
-    }
-    if (!(height > 0) || !(length > 0)) return;
-    for (const std::string& body : bodies)
-        for (const bool heave : {true, false}) {
-            Quantity q = new_quantity(
-                fmt::format("{}_response:{}", heave ? "heave" : "pitch", body),
-                fmt::format("{} response of {}", heave ? "Heave" : "Pitch", body), "-",
-                fmt::format("amplitude of the first harmonic over {}, mean over {} whole periods",
-                            heave ? "half of the wave's height" : "the wave's slope pi H / L", periods.count));
-            double largest = 0;
-            for (const RunRecord& r : comparison.sources) {
-                const auto table = r.tables.find(body_table(body));
-                const auto column = [&](const char* name) { return table->second.find(name); };
-                if (table == r.tables.end() || !column("z") || !column("q0") || !column("qy"))
-                    q.values.push_back(unknown_value(not_given));
-                else if (heave)
-                    q.values.push_back(response_in(table->second, periods, height / 2,
-                                                   [&](std::size_t i) { return column("z")->values[i]; }));
-                else
-                    q.values.push_back(response_in(table->second, periods, pi * height / length, [&](std::size_t i) {
-                        return 2 * std::atan2(column("qy")->values[i], column("q0")->values[i]);
-                    }));
-                if (q.values.back().known) largest = std::max(largest, q.values.back().value);
-            }
-            if (largest < 1e-6) continue;  // it is not free to
-            beside(q);
-            q.judged_in_ladder = true;
-            comparison.quantities.push_back(std::move(q));
-        }
-}
-
 /// First harmonics of the gauges of a record over a time, by places along the wave's direction.
 struct Harmonics {
     std::vector<double> x;
@@ -238,7 +184,7 @@ void add_regular_wave(Comparison& comparison) {
             comparison.quantities.push_back(std::move(q));
         }
     }
-    add_responses(comparison, periods);
+    add_wave_responses(comparison, periods);
     add_wave_forces(comparison, periods);
     if (gauges.size() < 2) return;
     Quantity reflected =

@@ -12,8 +12,12 @@ namespace tw {
 ///   wave_height:GAUGE, wave_crest:GAUGE, wave_trough:GAUGE   mean over the periods, of each of which a mean and three
 ///                        harmonics are fitted, with its 95 % interval from how far the periods differ [m]; the theory's
 ///                        values stand beside as references
-///   heave_response:BODY, pitch_response:BODY   first harmonic of a body's motion over half of the wave's height and over
-///                        the wave's slope pi H / L, mean over the periods with its 95 % interval [-]
+///   heave_response:BODY, pitch_response:BODY   first harmonic of a body's motion over half of the wave's height as asked
+///                        for and over that wave's slope pi H / L, mean over the periods with its 95 % interval [-]
+///   heave_over_wave:BODY, pitch_over_wave:BODY   of records that were given their empty twin (record/empty_twin.h): the
+///                        same over the first harmonic a of the wave at the body's place in that twin and over its slope
+///                        k a, both of the same period, so that what changes from period to period in both cancels [-]
+///   wave_without:BODY    that wave, 2 a [m]
 ///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%]: of two by split_waves over the
 ///                        whole time, of more by split_decaying_waves of each period, with the 95 % interval of the mean of
 ///                        the complex ratio over the periods
@@ -23,8 +27,10 @@ namespace tw {
 ///   wave_loss            of three gauges or more: what the incident wave loses of its height in one of its lengths [%]
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);
-/// The part of it that speaks of forces, over the periods that are judged (wave_forces.cpp).
+/// The parts of it that speak of forces and of bodies, over the periods that are judged (wave_forces.cpp,
+/// wave_responses.cpp).
 void add_wave_forces(Comparison& comparison, const WavePeriods& periods);
+void add_wave_responses(Comparison& comparison, const WavePeriods& periods);
 
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);

@@ -15,22 +15,43 @@ std::vector<std::string> kinds_of(std::string quantity) {
     if (is("pressure_arrival", "height_arrival", "body_arrival", "focused_crest_time")) return {"arrival"};
     if (is("pressure_mean")) return {quantity.replace(0, name.size(), "pressure"), "pressure"};  // of this gauge first
     if (is("pressure", "pressure_peak", "pressure_p99", "body_peak", "strain_peak")) return {"peak"};
-    if (is("height", "height_peak", "height_p99", "wave_height", "wave_crest", "wave_trough", "significant_height",
-           "crossing_height", "first_wave", "second_wave", "focused_crest"))
+    if (is("height", "height_peak", "height_p99", "wave_height", "wave_without", "wave_crest", "wave_trough",
+           "significant_height", "crossing_height", "first_wave", "second_wave", "focused_crest"))
         return {"height"};
     if (is("height_mean")) return {"level"};
     if (is("body_impulse")) return {"impulse"};
-    if (is("body_depth", "body_speed", "body_turn", "heave_response", "pitch_response")) return {"motion"};
+    if (is("body_depth", "body_speed", "body_turn", "heave_response", "pitch_response", "heave_over_wave",
+           "pitch_over_wave"))
+        return {"motion"};
     return name.starts_with("splash") || name.starts_with("airborne") ? std::vector<std::string>{"splash"}
                                                                       : std::vector<std::string>{};
 }
 
 int main_rank(const std::string& name) {
-    static constexpr std::string_view main[] = {
-        "total_drag",    "drag",        "lift",           "trim_moment",        "running_trim",   "rise",
-        "body_depth",    "body_speed",  "body_peak",      "load_impulse_x",     "load_impulse_z", "load_peak_x",
-        "load_peak_z",   "strain_peak", "heave_response", "pitch_response",     "wave_height",    "significant_height",
-        "focused_crest", "first_wave",  "splash_raised",  "splash_sheet_height"};
+    static constexpr std::string_view main[] = {"total_drag",
+                                                "drag",
+                                                "lift",
+                                                "trim_moment",
+                                                "running_trim",
+                                                "rise",
+                                                "body_depth",
+                                                "body_speed",
+                                                "body_peak",
+                                                "load_impulse_x",
+                                                "load_impulse_z",
+                                                "load_peak_x",
+                                                "load_peak_z",
+                                                "strain_peak",
+                                                "heave_over_wave",
+                                                "pitch_over_wave",
+                                                "heave_response",
+                                                "pitch_response",
+                                                "wave_height",
+                                                "significant_height",
+                                                "focused_crest",
+                                                "first_wave",
+                                                "splash_raised",
+                                                "splash_sheet_height"};
     const auto* found = std::ranges::find(main, std::string_view(name).substr(0, name.find(':')));
     return found == std::end(main) ? -1 : static_cast<int>(found - std::begin(main));
 }

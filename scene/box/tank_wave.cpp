@@ -9,7 +9,9 @@
 
 namespace tw {
 
-bool begins_in_zone(const Scene& scene) { return scene.hull || !scene.bodies.empty() || !scene.obstacles.empty(); }
+bool begins_in_zone(const Scene& scene) {
+    return scene.hull || !scene.bodies.empty() || !scene.obstacles.empty() || !scene.empty_twin_of.empty();
+}
 
 WaveScales wave_scales(const Scene& scene) {
     WaveScales w;

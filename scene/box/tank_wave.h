@@ -17,7 +17,7 @@ struct WaveScales {
 inline constexpr double waves_that_count = 0.05;  ///< share of the energy left out at each end
 /// Of a scene that has a wave.
 WaveScales wave_scales(const Scene& scene);
-bool begins_in_zone(const Scene& scene);  ///< with solids in the tank
+bool begins_in_zone(const Scene& scene);  ///< with solids in the tank, and in an empty twin
 
 /// The wave of [wave] in the tank as the water begins: everywhere but at the end that absorbs it, where its height
 /// falls to nothing as 1 - s^2 (s as in scene/box/forcing_zones.h). With solids in the tank it begins in the zone that

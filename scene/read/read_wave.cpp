@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
+#include "scene/empty_twin.h"
 #include "scene/read/read.h"
 #include "scene/water/water_blocks.h"
 #include "waves/dispersion.h"
@@ -262,6 +263,11 @@ void settle_wave(Scene& scene, Sections& s) {
 
 void check_wave(const Scene& scene, Sections& s) {
     if (!scene.has_wave()) return;
+    if (scene.wave_asked.empty_twin == "on" && (!scene.wave || !has_responses(scene)))
+        s.wave.fail("empty_twin",
+                    scene.wave ? "no free rigid body is in the tank whose response could be over the wave there; "
+                                 "expected [[body]], or remove this key"
+                               : "responses are given in regular waves; remove this key");
     const WaveScales wave = wave_scales(scene);
     if (!scene.effect_on("forcing_zones"))
         s.effects.fail("forcing_zones", "a wave is made and absorbed by them; remove this key, or [wave]");

@@ -1,6 +1,7 @@
 // What gauges tell of a regular wave: height, crest and trough over whole periods, and the part that comes back.
 #include "compare/metrics/regular_wave.h"
 #include "compare/metrics/wave_analysis.h"
+#include "record/empty_twin.h"
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,64 @@ TEST(RegularWaveMeasure, GivesHowFarABodyHeavesAndPitches) {
     add_regular_wave(c);
     EXPECT_FALSE(c.find("heave_response:box")) << "a body that is held in heave has no response";
     EXPECT_TRUE(c.find("pitch_response:box"));
+}
+
+/// A box in waves that are made too low, lose height as time goes on, and are followed 1.25 times; levels without it are
+/// those of `twin_share` of the wave.
+RunRecord box_in_waves(double twin_share) {
+    RunRecord r = tank(0.04, 0);
+    r.numbers["wave_height"] = 0.04;
+    Table &motion = r.table("body_box"), &level = r.table(std::string(empty_twin_table));
+    for (double t = 0; t < 9; t += 0.03) {
+        const double wave = 0.018 * (1 - 0.02 * t), angle = 2 * pi / 0.8 * t;
+        std::size_t row = motion.append(t);
+        motion.set(row, "z", "m", 1.25 * wave * std::cos(angle + 0.3));
+        motion.set(row, "q0", "-", 1);
+        motion.set(row, "qy", "-", 0.5 * 2 * pi * 0.7 * wave * std::cos(angle));  // turns 0.7 times the slope k a
+        if (twin_share > 0)
+            level.set(level.append(t), gauge_of_empty_twin("box"), "m", twin_share * wave * std::cos(angle + 0.3 + pi));
+    }
+    if (twin_share == 0) r.tables.erase(std::string(empty_twin_table));
+    return r;
+}
+
+TEST(RegularWaveMeasure, GivesAResponseOverTheWaveOfTheRunWithoutTheBody) {
+    Comparison c;
+    c.sources = {box_in_waves(1), box_in_waves(0.9)};
+    c.names = {"sph", "fvm"};
+    add_regular_wave(c);
+    const Quantity *over_wave = c.find("heave_over_wave:box"), *asked = c.find("heave_response:box"),
+                   *wave = c.find("wave_without:box"), *pitch = c.find("pitch_over_wave:box");
+    ASSERT_TRUE(over_wave && asked && wave && pitch);
+    EXPECT_NEAR(over_wave->values[0].value, 1.25, 1e-4);
+    EXPECT_LT(over_wave->values[0].half_width, 1e-4) << "what both lose as time goes on is not scatter";
+    EXPECT_GT(asked->values[0].half_width, 0.01);
+    EXPECT_NEAR(over_wave->values[1].value, 1.25 / 0.9, 1e-4) << "a lower wave, followed farther";
+    EXPECT_NEAR(pitch->values[0].value, 0.7, 3e-3);
+    EXPECT_NEAR(asked->values[0].value, asked->values[1].value, 1e-12);
+    EXPECT_NEAR(wave->values[0].value, 0.036 * (1 - 0.02 * 5.77), 5e-5);  // eight periods to 8.97 s
+    EXPECT_EQ(asked->definition.find("no run without"), std::string::npos);
+}
+
+TEST(RegularWaveMeasure, NamesAMissingRunWithoutTheBodyAndMixesNothing) {
+    Comparison c;
+    c.sources = {box_in_waves(1), box_in_waves(0)};
+    c.sources[1].attributes[std::string(no_empty_twin)] = "it is not finished";
+    c.names = {"sph", "fvm"};
+    add_regular_wave(c);
+    const Quantity *over_wave = c.find("heave_over_wave:box"), *asked = c.find("heave_response:box");
+    ASSERT_TRUE(over_wave && asked);
+    EXPECT_TRUE(over_wave->values[0].known);
+    EXPECT_FALSE(over_wave->values[1].known);
+    EXPECT_NE(asked->definition.find("no run without the body counts (interFoam: it is not finished)"),
+              std::string::npos)
+        << asked->definition;
+    c.sources = {box_in_waves(0)};
+    c.names = {"sph"};
+    c.quantities.clear();
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("heave_over_wave:box") || c.find("wave_without:box"));
+    EXPECT_NE(c.find("heave_response:box")->definition.find("(SPH: it was not run)"), std::string::npos);
 }
 
 TEST(RegularWaveMeasure, GivesForceAndDriftOfWhatStandsFixed) {

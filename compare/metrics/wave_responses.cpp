@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <complex>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "compare/metrics/quantity.h"
+#include "compare/metrics/regular_wave.h"
+#include "compare/verdict/judge.h"
+#include "record/empty_twin.h"
+
+namespace tw {
+namespace {
+
+using std::numbers::pi;
+
+/// Amplitude of the first harmonic of a series in each period; none where it has too few samples.
+using Amplitudes = std::vector<std::optional<double>>;
+template <class OfRow>
+Amplitudes amplitudes_of(const std::vector<double>& time, const WavePeriods& periods, OfRow of_row) {
+    Amplitudes found;
+    for (int k = 0; k < periods.count; ++k) {
+        const double from = periods.from + k * periods.period;
+        const WaveSamples s = samples_between(time, from, from + periods.period, of_row);
+        found.emplace_back();
+        if (static_cast<int>(s.t.size()) >= fewest_in_a_period)
+            found.back() = std::abs(first_harmonic(s.t, s.x, 2 * pi / periods.period));
+    }
+    return found;
+}
+
+MeanValue mean_ratio(const Amplitudes& of, const Amplitudes& over, double factor, const WavePeriods& periods) {
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < of.size(); ++k)
+        if (of[k] && over[k] && *over[k] > 0) ratios.push_back(*of[k] / *over[k] * factor);
+    return mean_over(ratios, periods);
+}
+
+/// What one record tells of a body.
+struct BodyInWave {
+    bool has_twin = false;
+    Amplitudes heave, pitch;  ///< [m], [rad]
+    Amplitudes wave;          ///< where it is, in the empty twin [m]
+};
+BodyInWave body_in(const RunRecord& r, const std::string& body, const WavePeriods& periods) {
+    BodyInWave b;
+    const auto table = r.tables.find(body_table(body));
+    if (table != r.tables.end()) {
+        const Column *z = table->second.find("z"), *q0 = table->second.find("q0"), *qy = table->second.find("qy");
+        if (z && q0 && qy) {
+            const std::vector<double>& time = table->second.time;
+            b.heave = amplitudes_of(time, periods, [&](std::size_t i) { return z->values[i]; });
+            b.pitch = amplitudes_of(time, periods,
+                                    [&](std::size_t i) { return 2 * std::atan2(qy->values[i], q0->values[i]); });
+        }
+    }
+    if (const Column* level = r.series(std::string(empty_twin_table), gauge_of_empty_twin(body))) {
+        b.has_twin = true;
+        b.wave = amplitudes_of(r.tables.at(std::string(empty_twin_table)).time, periods,
+                               [&](std::size_t i) { return level->values[i]; });
+    }
+    return b;
+}
+
+/// Why responses are over the wave that was asked for, of each record without its empty twin.
+std::string without_twin(const Comparison& comparison, const std::vector<BodyInWave>& bodies) {
+    std::string text;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        if (bodies[k].has_twin) continue;
+        const std::string why = text_of(comparison.sources[k], std::string(no_empty_twin), "it was not run");
+        text += fmt::format("; no run without the body counts ({}: {})", method_label(comparison.names[k]), why);
+    }
+    return text;
+}
+
+void add_wave_without(Comparison& comparison, const std::string& body, const std::vector<BodyInWave>& bodies,
+                      double height, const WavePeriods& periods) {
+    Quantity q = new_quantity("wave_without:" + body, fmt::format("Wave at the place of {}, without it", body), "m",
+                              fmt::format("twice the amplitude of the first harmonic in the run without the body, mean "
+                                          "over {} whole periods",
+                                          periods.count));
+    for (const BodyInWave& b : bodies) {
+        std::vector<double> heights;
+        for (const auto& a : b.wave)
+            if (a) heights.push_back(2 * *a);
+        q.values.push_back(b.has_twin ? mean_over(heights, periods) : unknown_value("no run without the body counts"));
+    }
+    beside(q);
+    q.judged_in_ladder = true;
+    Reference reference;
+    reference.quantity = q.name, reference.unit = "m", reference.value = height;
+    reference.source = "the wave as asked for", reference.remark = "its height from trough to crest";
+    comparison.references.push_back(reference);
+    comparison.quantities.push_back(std::move(q));
+}
+
+}  // namespace
+
+void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
+    std::set<std::string> names;
+    double height = NAN, length = NAN;
+    for (const RunRecord& r : comparison.sources) {
+        if (!std::isfinite(height))
+            height = number_of(r, "wave_height", NAN), length = number_of(r, "wave_length", NAN);
+        for (const auto& [name, table] : r.tables)
+            if (name.starts_with("body_") && table.find("z") && table.find("q0") && table.find("qy"))
+                names.insert(name.substr(5));
+    }
+    if (!(height > 0) || !(length > 0)) return;
+    const Amplitudes asked(static_cast<std::size_t>(periods.count), height / 2);
+    for (const std::string& name : names) {
+        std::vector<BodyInWave> bodies;
+        bool any_twin = false, any_response = false;
+        for (const RunRecord& r : comparison.sources) {
+            bodies.push_back(body_in(r, name, periods));
+            any_twin |= bodies.back().has_twin;
+        }
+        const std::string missing = without_twin(comparison, bodies);
+        for (const bool heave : {true, false}) {
+            const std::string motion = heave ? "heave" : "pitch", label = heave ? "Heave" : "Pitch";
+            const double factor = heave ? 1 : length / (2 * pi);  // over the slope k a
+            const auto add = [&](const std::string& quantity, const std::string& words, const std::string& over,
+                                 bool of_twin) {
+                Quantity q = new_quantity(
+                    fmt::format("{}_{}:{}", motion, quantity, name), fmt::format("{} {}", label, words), "-",
+                    fmt::format("amplitude of the first harmonic over {}, mean over {} whole periods{}", over,
+                                periods.count, missing));
+                double largest = 0;
+                for (const BodyInWave& b : bodies) {
+                    const Amplitudes& of = heave ? b.heave : b.pitch;
+                    if (of.empty())
+                        q.values.push_back(unknown_value(not_given));
+                    else if (of_twin && !b.has_twin)
+                        q.values.push_back(unknown_value("no run without the body counts"));
+                    else
+                        q.values.push_back(mean_ratio(of, of_twin ? b.wave : asked, factor, periods));
+                    if (q.values.back().known) largest = std::max(largest, q.values.back().value);
+                }
+                if (largest < 1e-6) return;  // it is not free to
+                any_response = true;
+                beside(q);
+                q.judged_in_ladder = true;
+                comparison.quantities.push_back(std::move(q));
+            };
+            if (any_twin)
+                add("over_wave", fmt::format("of {} over the wave without it", name),
+                    heave ? "that of the surface at its place in the run without the body, period by period"
+                          : "the slope k a of the surface at its place in the run without the body, period by period",
+                    true);
+            add("response", fmt::format("of {} over the wave asked for", name),
+                heave ? "half of the wave's height as asked for, so that what the wave loses on its way is in it"
+                      : "the slope pi H / L of the wave as asked for, so that what the wave loses on its way is in it",
+                false);
+        }
+        if (any_twin && any_response) add_wave_without(comparison, name, bodies, height, periods);
+    }
+}
+
+}  // namespace tw

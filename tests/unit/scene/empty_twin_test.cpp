@@ -1,0 +1,85 @@
+// The empty twin of a scene with bodies in a wave: what is left out, and all else the same.
+#include "scene/empty_twin.h"
+
+#include <algorithm>
+
+#include "record/empty_twin.h"
+#include "record/run_record.h"
+#include "scene/box/tank_wave.h"
+#include "scene/hash.h"
+#include "scene/new_record.h"
+#include "scene_text.h"
+
+namespace tw::test {
+namespace empty_twin_of_scene_test {
+
+std::string box_in_waves(const std::string& wave = "", const std::string& density = "500") {
+    return "[tank]\nmin = [-2, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.04\n"
+           "length = 1\n" +
+           wave +
+           "[resolution]\nnear_hull = 0.01\n[[probe]]\nname = \"before\"\nheight = [-0.3, 0]\n[[body]]\nname = "
+           "\"box\"\n"
+           "shape = \"box\"\nlength = 0.2\nbeam = 1\nheight = 0.12\nposition = [0.05, 0]\ndraft = 0.06\ndensity = " +
+           density + "\n";
+}
+Scene twin_of(const std::string& text) {
+    SceneOverrides empty;
+    empty.empty_twin = true;
+    return scene_of(text, empty);
+}
+
+TEST(EmptyTwin, HasGaugesForBodiesAndAllElseAsWithThem) {
+    const Scene s = scene_of(box_in_waves()), twin = twin_of(box_in_waves());
+    EXPECT_TRUE(twin.bodies.empty());
+    ASSERT_EQ(twin.sampling.height.size(), 2);
+    EXPECT_EQ(twin.sampling.height[0].name, "before");
+    EXPECT_EQ(twin.sampling.height[1].name, gauge_of_empty_twin("box"));
+    EXPECT_NEAR(twin.sampling.height[1].x, s.bodies[0].motion.mass.centre.x(), 1e-12);
+    EXPECT_NEAR(twin.sampling.height[1].x, 0.05, 1e-9);
+    EXPECT_EQ(twin.run.duration, s.run.duration);
+    EXPECT_EQ(twin.sampling.mean_from, s.sampling.mean_from);
+    EXPECT_EQ(twin.sampling.interval, s.sampling.interval);
+    EXPECT_EQ(twin.sph.c0, s.sph.c0);
+    EXPECT_EQ(twin.fvm.max_courant, s.fvm.max_courant);
+    EXPECT_EQ(twin.fvm.max_alpha_courant, s.fvm.max_alpha_courant);
+    // the wave begins where it begins with the body: in a tank without solids it would begin everywhere
+    EXPECT_EQ(TankWave(twin).surface(0.3), TankWave(s).surface(0.3));
+    const auto without = [](std::string text) { return text.erase(text.find("[[body]]")); };
+    EXPECT_NE(TankWave(scene_of(without(box_in_waves()))).surface(0.3), TankWave(s).surface(0.3));
+}
+
+TEST(EmptyTwin, KnowsTheRunThatItBelongsTo) {
+    const Scene s = scene_of(box_in_waves()), twin = twin_of(box_in_waves());
+    for (const char* method : {"sph", "fvm"}) {
+        const RunRecord record = new_record(twin, method);
+        EXPECT_EQ(record.attributes.at(std::string(empty_twin_of_run)), run_hash(s, method));
+        EXPECT_FALSE(new_record(s, method).attributes.contains(std::string(empty_twin_of_run)));
+        EXPECT_NE(run_hash(twin, method), run_hash(s, method));
+    }
+    EXPECT_NE(twin_of(box_in_waves("", "400")).hash, twin.hash) << "of another body it is run anew";
+    SceneOverrides coarse;
+    coarse.empty_twin = true;
+    coarse.near_hull = 0.008;
+    EXPECT_EQ(family_hash(scene_of(box_in_waves(), coarse), "sph"), family_hash(twin, "sph"));
+}
+
+TEST(EmptyTwin, IsWantedInTwoDimensionsWithAFreeBodyInARegularWave) {
+    EXPECT_TRUE(wants_empty_twin(scene_of(box_in_waves())));
+    EXPECT_TRUE(wants_empty_twin(scene_of(box_in_waves("empty_twin = \"on\"\n"))));
+    EXPECT_FALSE(wants_empty_twin(scene_of(box_in_waves("empty_twin = \"off\"\n"))));
+    EXPECT_FALSE(wants_empty_twin(twin_of(box_in_waves()))) << "or it would have a twin of its own";
+    std::string empty = box_in_waves();
+    empty.erase(empty.find("[[body]]"));
+    EXPECT_FALSE(wants_empty_twin(scene_of(empty)));
+    EXPECT_NE(complaint(with(empty, "length = 1\n", "length = 1\nempty_twin = \"on\"\n")).find("no free rigid body"),
+              std::string::npos);
+    EXPECT_EQ(scene_of(box_in_waves("empty_twin = \"off\"\n")).hash, scene_of(box_in_waves()).hash);
+    SceneOverrides twin;
+    twin.empty_twin = true;
+    EXPECT_NE(complaint(with(box_in_waves(), "\"before\"", "\"without_box\""), twin)
+                  .find("a height gauge is named without_box"),
+              std::string::npos);
+}
+
+}  // namespace empty_twin_of_scene_test
+}  // namespace tw::test
