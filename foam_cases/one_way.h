@@ -14,7 +14,7 @@ inline std::string plate_pressure_table(const std::string& body) { return "plate
 inline constexpr double pressures_per_period = 50, fewest_per_period = 20;
 
 /// Where the times without a force, in which a solver sets air and water in motion at once, take more than this share of
-/// all that the fluid changes the plate's velocity by, the blow itself lies in them and is left out.
+/// all that the fluid changes the plate's velocity by, the impulse itself lies in them and is left out.
 inline constexpr double largest_false_start = 0.1;
 
 /// interFoam cannot bend a plate. So the pressures that it has recorded on the rigid one (table `plate_pressure_table`)

@@ -25,7 +25,7 @@ LevelSetup air_setup(LevelSetup s, const AirOptions& air) {
     return s;
 }
 
-/// Kernel support, by water and air together, below which water lies at a void. Chosen, not derived: below the 0.75
+/// Shepard sum, by water and air together, below which water lies at a void. Chosen, not derived: below the 0.75
 /// that water alone gives at a flat surface, so that a surface short of air does not count.
 constexpr double support_at_a_void = 0.6;
 

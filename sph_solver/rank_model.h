@@ -7,7 +7,7 @@
 namespace tw {
 
 /// What many ranks would make of a run, found on one machine: the columns are divided as the run divides them, and
-/// counted; the time of what ranks tell each other is a model of these counts and of a stated machine
+/// counted; the time of what ranks exchange is a model of these counts and of a stated machine
 /// (docs/decisions/067-ranks.md).
 
 /// Columns of one size of particles, and what stands in them.
@@ -46,7 +46,7 @@ struct MachineOfRanks {
 struct CountedOfRanks {
     double exchanges = 6.3, collectives = 4.1, bytes_a_copy = 60;  ///< [-], [-], [bytes]
 };
-/// Time in which the ranks tell each other what a step of one size needs [s].
+/// Time of the exchange between ranks that a step of one size needs [s].
 double seconds_of_talk(const Division& division, int ranks, const MachineOfRanks& machine = {},
                        const CountedOfRanks& counted = {});
 

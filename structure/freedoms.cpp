@@ -55,7 +55,7 @@ int Freedoms::carry(RigidPart part) {
 SparseMatrix Freedoms::basis() const {
     Triplets entries;
     int unknowns = 0;
-    std::vector<std::array<int, 6>> of_part(parts_.size());  // the unknown of each freedom; -1 held
+    std::vector<std::array<int, 6>> of_part(parts_.size());  // the unknown of each degree of freedom; -1 held
     for (std::size_t p = 0; p < parts_.size(); ++p)
         for (int d = 0; d < per_node_; ++d) {
             const bool held = parts_[p].held[static_cast<std::size_t>(d)];

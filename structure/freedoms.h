@@ -28,10 +28,10 @@ class Freedoms {
 public:
     Freedoms(const std::vector<Vec3>& nodes, int per_node);
 
-    /// Holds the freedoms `which` (0 to per_node - 1) of the nodes. Throws InputError for a freedom or node that is
-    /// none.
+    /// Holds the degrees of freedom `which` (0 to per_node - 1) of the nodes. Throws InputError for a freedom or node
+    /// that is none.
     void hold(std::span<const int> nodes, std::initializer_list<int> which);
-    void clamp(std::span<const int> nodes);  ///< all freedoms
+    void clamp(std::span<const int> nodes);  ///< all degrees of freedom
     void hinge(std::span<const int> nodes);  ///< displacements
 
     /// Returns the part's number. Throws InputError for a part without nodes, a node that is none or that another part
@@ -49,7 +49,7 @@ public:
     /// Of all: that of a translation by `v`, or with the velocity `v`.
     Eigen::VectorXd translation(const Vec3& v) const;
 
-    /// Loads or a stiffness of the nodes' freedoms, with zeros for those of the parts.
+    /// Loads or a stiffness of the nodes' degrees of freedom, with zeros for those of the parts.
     Eigen::VectorXd widened(const Eigen::VectorXd& of_nodes) const;
     SparseMatrix widened(const SparseMatrix& of_nodes) const;
 

@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 /// The number of a section's node, with how many sections there are.
 int node_of(int section, int in_section, int sections) { return in_section * sections + section; }
 
-/// All freedoms of a sector of one cell by the radial and axial displacements of its section, the rim's left out.
+/// All degrees of freedom of a sector of one cell by the radial and axial displacements of its section, the rim's left
+/// out.
 SparseMatrix alike_all_round(const SolidMesh& sector, double arc) {
     std::vector<Eigen::Triplet<double>> entries;
     const int nodes = static_cast<int>(sector.nodes.size()) / 2;

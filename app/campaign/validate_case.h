@@ -38,7 +38,8 @@ struct ValidationRules {
 /// A case whose scene is wrong is told and left out: the others are run all the same.
 PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const std::filesystem::path& out);
 
-/// Makes or takes the case's runs and judges what they gave. Nothing: stopped on request.
+/// Makes or takes the case's runs and judges what they gave. Nothing: stopped on request. A truth that the
+/// measured file does not hold is complained of, and the value left without a verdict.
 std::optional<ValidatedCase> judge_case(const PlannedCase& planned, Campaign& campaign,
                                         const std::filesystem::path& out);
 

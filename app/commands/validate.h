@@ -19,6 +19,7 @@ struct ValidateCommand {
     int threads = 0;
     Making making;
 };
+/// Gives the exit status. Throws InputError: no suite, a case that it does not have, `require` without `against`.
 int run_validate(const ValidateCommand& command, const Common& common);
 
 }  // namespace tw::app

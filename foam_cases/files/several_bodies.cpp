@@ -7,7 +7,7 @@
 namespace tw {
 namespace {
 
-/// The freedoms of a body as joints, one behind the other: along the earth's axes, then about z, y and x.
+/// The degrees of freedom of a body as joints, one behind the other: along the earth's axes, then about z, y and x.
 List joints_of(const Freedoms& free) {
     List joints;
     const auto add = [&](const std::string& type) { joints.push_back(Dictionary{{"type", Word(type)}}); };

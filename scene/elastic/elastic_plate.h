@@ -36,7 +36,7 @@ struct ElasticPlate {
     double trim = 0;                                    ///< [rad]
     std::vector<std::string> clamped, hinged, carried;  ///< edges x_min, x_max, y_min, y_max, or node sets
     double total_mass = 0;                              ///< of plate and carrying frame; 0: no frame [kg]
-    std::array<bool, 6> locked{};                       ///< freedoms of the frame
+    std::array<bool, 6> locked{};                       ///< degrees of freedom of the frame
     Vec3 velocity = Vec3::Zero();                       ///< at the start [m/s]
     double skin = 0;                                    ///< thickness of the surface that the water sees [m]
     double margin = 0;                                  ///< by which the plate goes on, held, beyond clamped edges [m]

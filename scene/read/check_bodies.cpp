@@ -74,7 +74,7 @@ void check_way(const MovingBody& body, const Scene& scene, SceneSection& s) {
 }
 
 /// Water gets under the end of a plate that stops where the tank's floor or side begins: its dummies do not overlap the
-/// images there, and give way when it bends.
+/// images there, and go away from them when it bends.
 void warn_of_end_at_wall(MovingBody& body, const Scene& scene) {
     static constexpr const char* walls[3][2] = {
         {"side at low x", "side at high x"}, {"side at low y", "side at high y"}, {"floor", "top"}};

@@ -59,9 +59,9 @@ struct BodyStep {
 /// In a step of the finest particles, the calls are
 ///
 ///   look_ahead(drift)                          to where the water is found by its pair loops
-///   take(...), rehearse(step)                  as often as the body asks for; the forces are found anew after each
+///   take(...), sub_iterate(step)               as often as the body asks for; the forces are found anew after each
 ///   take(...), move(step)                      through the step
-///   strike(...)                                what the walls had to hold at the step's end
+///   take_impulse(...)                          what the walls had to hold at the step's end
 class Body {
 public:
     /// Of the kind that the setup asks for.
@@ -117,11 +117,11 @@ public:
     virtual void look_ahead(double /*drift*/) {}
     virtual void sub_iterate(const BodyStep& /*step*/) {}
     virtual void move(const BodyStep& /*step*/) {}
-    /// Blows of particles that a wall had to hold: all together, or place by place.
+    /// Impulses of particles that a wall had to hold: all together, or place by place.
     virtual void take_impulse(const Impulse& /*all*/) {}
     virtual void take_impulse(const WallImpulse& /*place*/) {}
 
-    // --- take: what the water does to it in the next `rehearse` or `move`
+    // --- take: what the water does to it in the next `sub_iterate` or `move`
     virtual void take(const Load& /*load*/) {}
     virtual bool takes_forces_of_dummies() const { return false; }
     /// Where it wants to know the water's pressure, and takes it [m]; empty: nowhere now.

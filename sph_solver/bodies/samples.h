@@ -9,7 +9,7 @@ namespace tw {
 
 class Body;
 
-/// Points at which the solver is asked for pressure, kernel support and (when wanted) the pressure that pairs carry.
+/// Points at which the solver is asked for pressure, Shepard sum and (when wanted) the pressure that pairs carry.
 struct PointSamples {
     std::vector<Vec3> places;
     bool want_flux = false;
@@ -45,7 +45,7 @@ struct SurfaceSamples {
     /// Force of the pressure on the patches that have one, and its moment.
     Vec3 pressure_force(const Vec3& moment_reference, Vec3& moment) const;
 
-    /// Kernel support of a place on the waterline, from which on it is wet. There the water fills the wedge between the
+    /// Shepard sum of a place on the waterline, from which on it is wet. There the water fills the wedge between the
     /// hull and a level free surface, of angle pi - theta, where theta is the angle between that surface and the hull's
     /// dry side:
     ///

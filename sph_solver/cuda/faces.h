@@ -9,7 +9,7 @@
 
 namespace tw::cuda {
 
-/// Marks whom the inlet's plane has let in, and who has left.
+/// Marks the particles that have crossed the inlet's plane, and those that have left.
 struct Cross {
     CrossOpenings cross;
     const double* x;

@@ -6,7 +6,7 @@
 
 namespace tw {
 
-/// How a step is made: schedule.h; table in docs/results.
+/// How a step is made: schedule.h; table in docs/results/numerics.md.
 enum class Scheme {
     symplectic_euler,      ///< one evaluation
     kick_drift_kick,       ///< one evaluation, its first pair loop in the middle of the drift

@@ -7,8 +7,9 @@ namespace tw {
 
 class Effect;
 
-/// Weight of water whose particles carry the pressure p' of equations/rest_pressure.h, in place of gravity. Stops the
-/// run where the free surface has come down into the band, because the water there has no weight of its own any more.
+/// Weight of water whose particles carry the pressure p' of equations/rest_pressure.h, in place of gravity. Ends the
+/// run (RunError) where the free surface has come down into the band: the water there has no weight of its own any
+/// more.
 struct DynamicPressure {
     RestPressure at_rest;
 };

@@ -108,7 +108,7 @@ struct StepView {
     OwnSums<T> zero_sums(LoopArray<T>& in, std::size_t count) const {
         return OwnSums<T>(in.zeros(device, count));
     }
-    /// Lets ranks tell each other what a pair loop has left for particles, or for dummies: then loops may read it.
+    /// Halo exchange of what a pair loop has left for particles, or for dummies: then loops may read it.
     template <class T>
     T* exchange(const OwnSums<T>& of) const {
         return exchange_by(halo, of.at_);
@@ -140,7 +140,7 @@ private:
 };
 
 /// One physical effect that a scene may do without. It is built only when it is on: off, it costs no array, no byte of
-/// a restart file and no instruction of the passes, because it pair loops the neighbours in a pass of its own. What
+/// a restart file and no instruction of the passes, because its sums over neighbours are a pair loop of its own. What
 /// it has to remember between steps is a quantity of the particles (`brings`), which a restart file holds as well.
 class Effect {
 public:

@@ -5,8 +5,8 @@ namespace tw {
 /// Beside solids density follows the packing of the particles. Shifting moves particles without the continuity equation
 /// knowing it. Along a solid it does so for ever: the water creeps into the solid, shifting carries the particles back
 /// out, continuity counts the first of the two alone, and what it makes of that is evened out by the density diffusion.
-/// So density and packing part company, no pressure tells, and still water shrinks and stirs itself. The kernel support
-/// S_i = sum_j V_j W_ij, solids counted, is 1 where the particles stand as their densities say. Therefore
+/// So density and packing no longer agree, the pressure does not show it, and still water shrinks and stirs itself. The
+/// Shepard sum S_i = sum_j V_j W_ij, solids counted, is 1 where the particles stand as their densities say. Therefore
 ///
 ///   drho_i/dt += k c0/h rho0 e_i,   e_i = S_i - 1 less the play where it is above it or below minus it; else 0
 ///

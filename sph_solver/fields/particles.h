@@ -11,7 +11,7 @@ struct Particles : FieldTable {
 #define TW_FIELD(Type, name, law, kept, with) FieldOf<Type, Law::law> name{*this, #name, Kept::kept, With::with};
     TW_PARTICLE_FIELDS(TW_FIELD)
 #undef TW_FIELD
-    Marks surface{*this, "surface", Kept::sorted};  ///< who is at the free surface
+    Marks surface{*this, "surface", Kept::sorted};  ///< those at the free surface
 
     std::size_t size() const { return x.size(); }
 

@@ -23,7 +23,7 @@ enum class Aired : std::uint8_t {
 struct Trend {
     float u = 0, v = 0, w = 0;  ///< [m/s2]
     float drho = 0;             ///< [kg/m3/s]
-    float support = 1;          ///< kernel support of the coarser particles near [-]: whether it is at a free surface
+    float support = 1;          ///< Shepard sum of the coarser particles near [-]: whether it is at a free surface
 };
 
 /// Where a particle stood when its distance from the edge of a zone was last worked out, and how far that edge had

@@ -84,7 +84,7 @@ struct LevelOnDevice::Arrays {
         cuda::Array<V3<double>> noted, velocity;
     };
     std::vector<Skin> skins;
-    cuda::Array<SkinMotion> skin_motions{device};  ///< empty: no body gives way
+    cuda::Array<SkinMotion> skin_motions{device};  ///< empty: no body is deformable
     cuda::Array<std::int32_t> pushed{device};
     cuda::Array<V3<float>> pushes{device};
 

@@ -11,8 +11,8 @@
 
 namespace tw {
 
-/// What is done to a level's particles where it meets a level of another size, at home or by a device: who they are,
-/// who comes and goes, whose fields they follow. What for, and in which order, says Refinement.
+/// What is done to a level's particles where it meets a level of another size, by processor or device: who they
+/// are, who comes and goes, whose fields they follow. What for, and in which order, says Refinement.
 class EdgeSteps {
 public:
     virtual ~EdgeSteps() = default;

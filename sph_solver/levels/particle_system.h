@@ -83,7 +83,7 @@ struct ParticleSystem {
     InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     StepView step_view(double t, const Halo& halo);
 
-    // --- the same of the fields of who makes the steps
+    // --- the same of the fields of the maker of the steps
     LacksSupport lacks_support(const FieldsView& f) const {
         return {f.kind, f.trend, f.shift_support, setup.surface_support};
     }

@@ -1,4 +1,4 @@
-// What the ranks that share a level tell each other.
+// What the ranks that share a level exchange.
 #include <algorithm>
 #include <array>
 #include <cstring>

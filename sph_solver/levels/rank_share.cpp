@@ -1,7 +1,7 @@
 // A level whose particles are shared by several ranks. Each owns whole columns, and holds copies of the columns round
 // them, all in the one order of the columns: so lists, groups, and the order of all sums over pairs are those of one
 // process, and so are the bits. A copy changes as its original does, but for sums over its neighbours, which the owner
-// tells (parallel/halo.h).
+// sends (parallel/halo.h).
 #include <algorithm>
 #include <numeric>
 
@@ -233,7 +233,7 @@ void RankShare::hold_columns(const std::vector<std::int32_t>& staying) {
     own_.assign(level_.particles.size(), 0);  // until they are sorted
 }
 
-/// The particles are sorted: who owns which, and who tells whom.
+/// The particles are sorted: who owns which, and the halo exchange.
 void RankShare::note_own() {
     own_.assign(level_.particles.size(), 0);
     std::int64_t mine = 0;

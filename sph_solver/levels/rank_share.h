@@ -68,7 +68,7 @@ public:
     /// Pairs that the pair loops visit, of each group of the own columns.
     void note_work(std::span<const int> of_groups);
 
-    // --- what ranks tell each other
+    // --- what ranks exchange
     void exchange_first_sums();
     /// All particles of all ranks, in the order in which one process holds them; on the first rank, elsewhere none.
     Particles gathered() const;
@@ -81,7 +81,7 @@ public:
     std::int64_t among_all(std::size_t i) const;  ///< that index of one that this process owns
     /// The one that has it; nothing: another process owns it.
     std::optional<std::size_t> owned(std::int64_t among_all) const;
-    /// Puts what all ranks have of blows in the order of their columns.
+    /// Puts what all ranks have of impulses in the order of their columns.
     template <class AtPlace>
     std::vector<AtPlace> of_all_ranks(const std::vector<AtPlace>& own, const std::vector<std::int32_t>& columns) const;
     /// The numbers 0, 1, ... of things of all ranks, each by a particle, in the order of these; `by` names those of the

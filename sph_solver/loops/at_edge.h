@@ -21,7 +21,7 @@ struct Asking {
     double apart = 1;           ///< roughly, in spacings of the level: places near each other are worked out together
     double density_before = 0;  ///< the density as it was so long before the last evaluation [s], by its rate there
     bool want_compression = false;
-    /// The mean kernel support is given, and this taken off the densities of the particles. Null: neither, as before
+    /// The mean Shepard sum is given, and this taken off the densities of the particles. Null: neither, as before
     /// the level's first pair loop, when its particles may stand in another order than when their supports were found.
     const SurfaceExcess* without = nullptr;
 };
@@ -70,7 +70,7 @@ struct Given {
     float mean_support;  ///< of those near, each with its own surroundings [-]; 0 unless asked for
     float compression;   ///< 0 unless asked for [kg/m3/s]
 
-    /// Below this kernel support the other level has no water at a place: half of what a plane free surface leaves.
+    /// Below this Shepard sum the other level has no water at a place: half of what a plane free surface leaves.
     static constexpr float no_water = 0.25f;
     bool known() const { return support >= no_water; }
 };

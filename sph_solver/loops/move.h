@@ -10,7 +10,7 @@
 
 namespace tw {
 
-/// Largest values of some particles after a step, and who has them.
+/// Largest values of some particles after a step, and which of them have these.
 struct MovedExtremes {
     double speed2 = 0, acceleration2 = 0, relative2 = 0, relative2_before = 0, shift2 = 0;  ///< [m2/s2], ..., [m2]
     double low = 0, high = 0;                                                               ///< of drho [kg/m3]
@@ -23,7 +23,7 @@ struct MovedExtremes {
 /// The last act of a step, of each particle by itself: it is kicked for the time `dt`, and moves for `drift`; `drifted`
 /// of that it has moved before [s].
 struct Move {
-    /// A buffer particle is shifted only where it has this share of the coarser level's kernel support. Where less of
+    /// A buffer particle is shifted only where it has this share of the coarser level's Shepard sum. Where less of
     /// it is there the buffer particles end within reach, and shifting would spread them outwards, because it takes the
     /// end for a void: the zone loses particles, and water whose kernel sums are a hundredth too small takes a
     /// hundredth more of pressure gradient to carry itself, so it sinks (docs/decisions/031).

@@ -11,13 +11,13 @@ namespace tw {
 ///   sum_k A_k [(1/2 + e_0) + (k + 1/2)] = 1,   e_0 = 1 / (2 sum_k A_k) - 1
 ///
 /// (0.21 at h/dp = 1.55 in two dimensions). It goes with what the kernel lacks there: e = e_0 (1 - S) / (1 - S_0), S
-/// the kernel support, S_0 that of the uppermost row. Particles of two sizes differ in it, which at the edge between
+/// the Shepard sum, S_0 that of the uppermost row. Particles of two sizes differ in it, which at the edge between
 /// them would be a force of a tenth of their weight on the rows under a surface.
 class SurfaceExcess {
 public:
     SurfaceExcess() = default;
     SurfaceExcess(const Kernel& kernel, double dp, int dimensions);
-    /// Of a particle of kernel support S.
+    /// Of a particle of Shepard sum S.
     double of(double support) const { return e_0_ * share((1 - support) / (1 - S_0_)); }
     /// Of a particle of half the spacing, where particles of this spacing near it have the mean support m: e_0 at the
     /// depth of its uppermost row, nothing from its second row on.

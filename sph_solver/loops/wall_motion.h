@@ -60,7 +60,7 @@ struct NearWalls {
     const WallNormalRecord* normal;
     const WallMotion* motions;  ///< of the bodies; null: all are at rest
     const std::uint16_t* body;  ///< whose wall it is
-    // null where no body gives way
+    // null where no body is deformable
     const std::int32_t* triangle;  ///< of that body's surface
     const SkinMotion* skins;       ///< of the bodies
 

@@ -8,7 +8,7 @@
 namespace tw {
 
 /// The height probes of a scene, read from the particles as record/gauge_level.h defines their elevation. The share of
-/// water at a place is the kernel support of the water there over what solids leave of the kernel:
+/// water at a place is the Shepard sum of the water there over what solids leave of the kernel:
 ///
 ///   water = S (1 + p / (rho0 c0^2)) / (1 - S_wall(d))
 ///

@@ -14,7 +14,7 @@ struct InterpolateData {
     WaterView water{};                       ///< the particles and images that count, and the kernel
     Lists list{};                            ///< of the groups of places among them
     const PlaceRecord* at = nullptr;         ///< the places, in groups as particles are
-    const float* known_support = nullptr;    ///< kernel support at each of the particles [-]; may be null
+    const float* known_support = nullptr;    ///< Shepard sum at each of the particles [-]; may be null
     VelocityDensityRecord* value = nullptr;  ///< at the places
     float* support = nullptr;                ///< sum_j V_j W_j [-]
     float* mean_support = nullptr;           ///< mean of `known_support`

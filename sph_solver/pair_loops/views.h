@@ -83,7 +83,7 @@ struct SecondPairLoopData {
     float packing_reach = 0;       ///< from a solid [m]
     float viscosity = 0;           ///< alpha c0 rho0 / 2 [kg/m2/s], see ArtificialViscosity
     float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
-    float tension_control_from = 2;  ///< kernel support from which tension is controlled; above 1.5: nowhere
+    float tension_control_from = 2;  ///< Shepard sum from which tension is controlled; above 1.5: nowhere
 };
 
 /// Pressure at points from the water round them: wall dummies, surface samples, probes; see wall_pressure.h.

@@ -22,7 +22,7 @@ class Level;
 /// light one is a surface under pressure. The two sums are dual (the work of the one is the energy of the other), and
 /// pairs keep momentum except where tension control acts, which keeps stretched gas (p < 0) from clumping. With plain
 /// means the light fluid takes the kink of the hydrostatic pressure for a force of hundreds of g: layers at rest boil
-/// at 2 m/s. The kernel support and the shifting sum count both levels: where the other one is there is no free
+/// at 2 m/s. The Shepard sum and the shifting sum count both levels: where the other one is there is no free
 /// surface. pi_ij is the artificial viscosity with the harmonic mean of the levels' alpha c rho.
 class LevelPair {
 public:

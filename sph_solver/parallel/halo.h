@@ -11,14 +11,14 @@
 
 namespace tw {
 
-/// What ranks tell each other of things that stand sorted by column: the owner of a column tells all who hold a copy of
+/// The halo exchange of things that stand sorted by column: the owner of a column sends them to all who hold a copy of
 /// it. Sender and receiver have the same things of a column in the same order, so nothing but their values is sent.
 ///
 /// A thing's own state (place, velocity, ...) changes alike wherever it is held. What a copy cannot know are sums over
-/// its neighbours, which are not all held beside it: those are told.
+/// its neighbours, which are not all held beside it: those are exchanged.
 class Halo {
 public:
-    /// Of one process: tells nobody anything.
+    /// Of one process: exchanges nothing.
     Halo() = default;
     /// `starts`: first thing of each column, from an index on for each of several lists, one behind the other.
     struct Sorted {
@@ -27,7 +27,7 @@ public:
     };
     Halo(const Comm& ranks, const Decomposition& columns, std::span<const Sorted> lists);
 
-    /// Tells `bytes` of each thing: `pack(i, to)` on the owner, `unpack(i, from)` on who holds a copy.
+    /// Exchanges `bytes` of each thing: `pack(i, to)` on the owner, `unpack(i, from)` on those that hold a copy.
     template <class Pack, class Unpack>
     void exchange(std::size_t bytes, const Pack& pack, const Unpack& unpack) const {
         if (partners_.empty()) return;
@@ -59,7 +59,7 @@ public:
 
     // --- for things that a device has: it packs them and unpacks them itself
     bool tells_nobody() const { return partners_.empty(); }
-    /// Which things the messages tell of, one message behind the other; and those of the messages that come.
+    /// Which things the messages carry, one message behind the other; and those of the messages that come.
     std::vector<std::int32_t> all_sent() const { return all(&Partner::send); }
     std::vector<std::int32_t> all_received() const { return all(&Partner::receive); }
     /// Sends `out`, which has `bytes` of each of all_sent; gives the same of all_received.

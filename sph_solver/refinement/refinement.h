@@ -34,7 +34,7 @@ namespace tw {
 ///
 /// A density is handed over less the excess that the uppermost row of its size has, see surface_excess.h.
 ///
-/// Where the coarse level has no water (kernel support below 1/2), what leaves the zone stays active: spray goes on as
+/// Where the coarse level has no water (Shepard sum below 1/2), what leaves the zone stays active: spray goes on as
 /// fine particles until water of the coarse level covers it, or of one that is coarser still: it may fall far beyond
 /// the zone of the next coarser size, and the coarsest has particles for all water that is not spray. Where the fine
 /// level has none, slave particles fall freely.

@@ -11,12 +11,13 @@ namespace tw::structure {
 ///
 /// Q takes the normal along and, about it, turns by the angle that fits the corners best. The moment that is then left
 /// over of the nodes' forces goes to the nodes as the derivative of Q by their places demands, so that every element is
-/// balanced where it lies now. A node's freedoms are its displacement and the vector of its whole rotation R_i.
+/// balanced where it lies now. A node's degrees of freedom are its displacement and the vector of its whole rotation
+/// R_i.
 class Corotational {
 public:
     explicit Corotational(const Shell& shell);
 
-    /// Forces [N] and moments about global axes [N m] on the six freedoms of every node.
+    /// Forces [N] and moments about global axes [N m] on the six degrees of freedom of every node.
     Eigen::VectorXd internal_force(const Eigen::VectorXd& u) const;
     /// Its derivative by displacements and small further turns about global axes, by differences of the forces.
     SparseMatrix tangent(const Eigen::VectorXd& u) const;
@@ -24,7 +25,7 @@ public:
     Eigen::VectorXd moved(const Eigen::VectorXd& u, const Eigen::VectorXd& by) const;
     double energy(const Eigen::VectorXd& u) const;  ///< [J]
 
-    /// An element's 24 freedoms as the linear element sees them, for strains and gauges.
+    /// An element's 24 degrees of freedom as the linear element sees them, for strains and gauges.
     Eigen::Matrix<double, 24, 1> deformation(const Eigen::VectorXd& u, int element) const;
 
 private:

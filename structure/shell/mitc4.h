@@ -45,7 +45,7 @@ private:
     Vec3 centre_;
     Eigen::Matrix3d axes_;
     Eigen::Matrix<double, 4, 2> xy_;       ///< of the corners in the flat element [m]
-    Eigen::Matrix<double, 24, 24> local_;  ///< nodes' global freedoms to those of the flat element's corners
+    Eigen::Matrix<double, 24, 24> local_;  ///< nodes' global degrees of freedom to those of the flat element's corners
     Eigen::Vector4d node_area_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace tw::structure {
 
-/// A shell of one laminate: its mesh, elements, stiffness, masses and loads. Vectors hold six freedoms per node.
-/// Displacements are small; see corotational.h for large rotations.
+/// A shell of one laminate: its mesh, elements, stiffness, masses and loads. Vectors hold six degrees of freedom per
+/// node. Displacements are small; see corotational.h for large rotations.
 class Shell {
 public:
     /// `along` is the laminate's x axis, projected on each element; its z axis is the elements' normal. Throws
@@ -35,7 +35,7 @@ public:
     /// Weight of the shell and of what was added to it [N].
     Eigen::VectorXd weight(const Vec3& gravity) const;
 
-    /// The six freedoms of an element's four nodes, out of those of all.
+    /// The six degrees of freedom of an element's four nodes, out of those of all.
     Eigen::Matrix<double, 24, 1> of_element(const Eigen::VectorXd& all, int element) const;
 
     /// Largest time step of the central difference method [s]: 2 / omega, omega the highest frequency of any element by

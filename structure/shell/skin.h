@@ -24,7 +24,7 @@ public:
     Surface now(const Eigen::VectorXd& u) const;
     std::vector<Vec3> velocity(const Eigen::VectorXd& v) const;  ///< of its points [m/s]
 
-    /// Forces and moments on the shell's freedoms of forces [N] on the surface's points.
+    /// Forces and moments on the shell's degrees of freedom of forces [N] on the surface's points.
     Eigen::VectorXd load(const std::vector<Vec3>& forces) const;
     /// The points' share of a pressure [Pa] on each triangle of the surface as given: -p A n / 3 to each corner [N].
     static std::vector<Vec3> forces(const Surface& now, const std::vector<double>& pressure);

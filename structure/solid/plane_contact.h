@@ -18,7 +18,7 @@ public:
 
     double height() const { return height_; }
     void set_height(double height) { height_ = height; }
-    Eigen::VectorXd force(const Eigen::VectorXd& u) const;  ///< on the solid's freedoms [N]
+    Eigen::VectorXd force(const Eigen::VectorXd& u) const;  ///< on the solid's degrees of freedom [N]
     double total(const Eigen::VectorXd& u) const;           ///< the plane's upward force [N]
     double energy(const Eigen::VectorXd& u) const;          ///< [J]
     SparseMatrix tangent(const Eigen::VectorXd& u) const;   ///< of what resists: - d force / d u [N/m]

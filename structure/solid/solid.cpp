@@ -11,7 +11,7 @@
 namespace tw::structure {
 namespace {
 
-/// Adds a dense element matrix of three freedoms a node.
+/// Adds a dense element matrix of three degrees of freedom a node.
 template <std::size_t Nodes, class Matrix>
 void scatter(const std::array<int, Nodes>& nodes, const Matrix& K, std::vector<Eigen::Triplet<double>>& to) {
     for (int i = 0; i < K.rows(); ++i)

@@ -15,8 +15,8 @@ namespace tw::structure {
 /// acceleration method: it conserves the energy exactly. Second order whatever it is.
 class GeneralisedAlpha {
 public:
-    /// Of the unknown freedoms: q, their velocity and acceleration, and the load they were last given. A restart needs
-    /// these alone.
+    /// Of the unknown degrees of freedom: q, their velocity and acceleration, and the load they were last given. A
+    /// restart needs these alone.
     struct State {
         Eigen::VectorXd q, v, a, f;
     };
@@ -26,10 +26,10 @@ public:
     GeneralisedAlpha(const SparseMatrix& stiffness, const SparseMatrix& mass, SparseMatrix basis, double dt,
                      double damping_at_infinity = 1);
 
-    /// At rest in the reference state, or as given: displacements and velocities of all freedoms; the acceleration is
-    /// what the load there gives.
+    /// At rest in the reference state, or as given: displacements and velocities of all degrees of freedom; the
+    /// acceleration is what the load there gives.
     void start(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Eigen::VectorXd& load);
-    /// One step of dt to where `load`, of all freedoms [N], acts.
+    /// One step of dt to where `load`, of all degrees of freedom [N], acts.
     void step(const Eigen::VectorXd& load);
 
     Eigen::VectorXd displacement() const { return basis_ * state_.q; }

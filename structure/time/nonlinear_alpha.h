@@ -16,8 +16,8 @@ namespace tw::structure {
 /// no gyroscopic term; frames that carry nodes turn little.
 class NonlinearAlpha {
 public:
-    /// Displacements and rotation vectors of all freedoms; velocity, acceleration, load and internal force of the
-    /// unknown ones. A restart needs these alone.
+    /// Displacements and rotation vectors of all degrees of freedom; velocity, acceleration, load and internal force of
+    /// the unknown ones. A restart needs these alone.
     struct State {
         Eigen::VectorXd u, v, a, f, F;
     };
@@ -26,10 +26,10 @@ public:
     /// RunError if the matrix is not positive definite.
     NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, double dt);
 
-    /// At rest in the reference state, with velocities of all freedoms and a load.
+    /// At rest in the reference state, with velocities of all degrees of freedom and a load.
     void start(const Eigen::VectorXd& v, const Eigen::VectorXd& load);
-    /// One step of dt to where `load`, of all freedoms [N], acts; returns the number of iterations. Throws RunError if
-    /// 60 do not balance it to 1e-8 of the forces, or to what rounding makes of them: the step is too long.
+    /// One step of dt to where `load`, of all degrees of freedom [N], acts; returns the number of iterations. Throws
+    /// RunError if 60 do not balance it to 1e-8 of the forces, or to what rounding makes of them: the step is too long.
     int step(const Eigen::VectorXd& load);
 
     const Eigen::VectorXd& displacement() const { return state_.u; }

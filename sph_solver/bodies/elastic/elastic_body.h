@@ -150,10 +150,10 @@ private:
     bool moved_since_noted_ = false;
 
     std::vector<StructureInTime::Node> nodes_;
-    Eigen::VectorXd u_, v_;              ///< of all freedoms
+    Eigen::VectorXd u_, v_;              ///< of all degrees of freedom
     Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
-    Eigen::VectorXd last_acceleration_;  ///< of all freedoms, over the last step
-    FreedomSums force_, impulses_;       ///< that wait for `move`, of all freedoms
+    Eigen::VectorXd last_acceleration_;  ///< of all degrees of freedom, over the last step
+    FreedomSums force_, impulses_;       ///< that wait for `move`, of all degrees of freedom
     ExactSum power_;                     ///< of the forces in force_, with the velocities that the water felt [W]
     double power_before_ = 0;            ///< of the forces before, with the same velocities [W]
     std::vector<double> relaxation_;     ///< theta of each node

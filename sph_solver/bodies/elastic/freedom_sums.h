@@ -7,8 +7,8 @@
 
 namespace tw {
 
-/// Sums of forces or impulses on the freedoms of a structure, the same in whatever order dummies and particles bring
-/// them.
+/// Sums of forces or impulses on the degrees of freedom of a structure, the same in whatever order dummies and
+/// particles bring them.
 class FreedomSums {
 public:
     FreedomSums() = default;
@@ -16,7 +16,7 @@ public:
     explicit FreedomSums(const Eigen::VectorXd& value) : FreedomSums(value.size()) {
         for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k] += value[static_cast<Eigen::Index>(k)];
     }
-    /// To three freedoms from `first` on.
+    /// To three degrees of freedom from `first` on.
     void add(Eigen::Index first, const Vec3& part) {
         for (Eigen::Index a = 0; a < 3; ++a) sums_[static_cast<std::size_t>(first + a)] += part[a];
     }

@@ -20,17 +20,18 @@ public:
     virtual const Surface& skin() const = 0;  ///< closed, triangles outward [m]
     virtual Tie tie(const Vec3& at_start) const = 0;
     virtual const std::vector<double>& wet_areas() const = 0;  ///< of the surface about each node [m2]
-    virtual const Eigen::VectorXd& mass() const = 0;           ///< lumped, of the nodes' freedoms [kg], [kg m2]
+    virtual const Eigen::VectorXd& mass() const = 0;           ///< lumped, by degree of freedom [kg], [kg m2]
 
     // --- time
     /// The step of the water that the structure takes where `dt` is allowed [s].
     virtual double step_within(double dt) const = 0;
-    /// Through a step of the water: `load` on all freedoms [N], [N m], which the water has found where the structure
-    /// looked ahead to, acts for `kick`; the water finds the next `drift` after the step's end [s]. Returns the way of
-    /// all freedoms under the load, turns as the sum of small ones, so that its product with the load is the load's
-    /// work. Throws RunError where the step cannot be made.
+    /// Through a step of the water: `load` on all degrees of freedom [N], [N m], which the water has found where the
+    /// structure looked ahead to, acts for `kick`; the water finds the next `drift` after the step's end [s]. Returns
+    /// the way of all degrees of freedom under the load, turns as the sum of small ones, so that its product with the
+    /// load is the load's work. Throws RunError where the step cannot be made.
     virtual Eigen::VectorXd step(double kick, double drift, const Eigen::VectorXd& load) = 0;
-    /// Of all freedoms: [m] and rotation vectors since the mesh's places; [m/s] and spins, as the water is shown them.
+    /// Of all degrees of freedom: [m] and rotation vectors since the mesh's places; [m/s] and spins, as the water is
+    /// shown them.
     virtual Eigen::VectorXd displacement() const = 0;
     virtual Eigen::VectorXd velocity() const = 0;
     struct Node {
