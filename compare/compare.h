@@ -128,6 +128,7 @@ struct Comparison {
     std::vector<Reference> references;
     std::vector<Gate> gates;
     std::vector<std::string> banners;  ///< warnings that stand on top of the report
+    std::string walls;                 ///< what those of its box do to the loads (metrics/box_walls.h); empty: little
     double agree_within = 0.05;        ///< [-]
     std::string discretisation_from;   ///< "runs of 3 sizes", "the coarser runs of prism, 6 m/s"; empty: not estimated
 

@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "compare/gates/gates.h"
 #include "compare/metrics/bodies.h"
+#include "compare/metrics/box_walls.h"
 #include "compare/metrics/elevation.h"
 #include "compare/metrics/entry.h"
 #include "compare/metrics/forces.h"
@@ -269,8 +270,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
                 factor));
         comparison.analyses.push_back(analyse(comparison.sources[i]));
     }
-    if (const std::string walls = text_of(comparison.sources.front(), "box_walls"); !walls.empty())
-        comparison.banners.push_back("Values are those of this box, not of open water: " + walls + ".");
+    add_box(comparison);
     add_forces(comparison, options);
     add_total_drag(comparison, options);
     add_resistance(comparison, options);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/box/box_walls.h"
 #include "scene/box/tank_wave.h"
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
@@ -218,7 +219,9 @@ double explained_speed(const Scene& scene) {
     if (scene.effect_on("dynamic_pressure")) return speed_under_quiet_surface(scene);
     // p_max / rho0 of the water at rest is g H; falling from the surface it reaches sqrt(2 g H).
     const std::optional<Tailwater> tail = tailwater(scene);
-    const double height = std::max(water_height(scene), tail ? tail->depth : 0.0);
+    // A planing hull's water does not fall to a floor that only ends its box.
+    const bool no_bed = scene.hull && scene.domain.floor_ends_the_box && planes(scene);
+    const double height = no_bed ? scene.hull->draft : std::max(water_height(scene), tail ? tail->depth : 0.0);
     const double fall = std::sqrt(2 * scene.water.gravity * height);
     double body = 0;
     for (const MovingBody& b : scene.bodies) body = std::max(body, b.fastest(scene.water.gravity));

@@ -222,6 +222,7 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["draft"] = hull.draft;
         record.numbers["displaced_volume"] = hull.still.volume;
         if (const std::string walls = wall_warning(scene); !walls.empty()) record.attributes["box_walls"] = walls;
+        if (const std::string channel = channel_text(scene); !channel.empty()) record.attributes["channel"] = channel;
         if (const std::optional<SprayJet> jet = thin_jet(scene)) {
             record.numbers["jet_thickness"] = jet->thickness;
             record.numbers["jet_spacing"] = jet->size;

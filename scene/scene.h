@@ -90,7 +90,7 @@ struct Domain {
 
 /// Where forcing zones lie, and to what they draw (forcing_zones.h).
 struct ZoneOptions {
-    std::string sides = "open";     ///< beside a hull in a stream: open, walls
+    std::string sides = "open";     ///< beside a hull in a stream: open, walls (box_walls.h)
     std::string absorbing = "all";  ///< walls of a tank: all, x, y, x_min, ...
     double wave_length = 0;         ///< that those of a tank absorb [m]; 0: of its wave maker
     double downstream = 0;          ///< depth of the water where a stream leaves [m]; 0: as it comes (tailwater.h)

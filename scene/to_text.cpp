@@ -314,6 +314,8 @@ std::string to_text(const Scene& scene, const Prediction& p) {
                        side(d.z_min), side(d.z_max));
     out += zones_text(scene, p);
     if (const std::string walls = wall_warning(scene); !walls.empty()) out += "  warning   " + walls + "\n";
+    if (const std::string channel = channel_text(scene); !channel.empty())
+        out += "  channel   the values are those of " + channel + "\n";
     out += fmt::format(
         "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",
         scene.resolution.near_hull, scene.resolution.spacing);

@@ -11,6 +11,7 @@
 #include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "methods/methods.h"
+#include "scene/box/box_walls.h"
 
 namespace tw::app {
 namespace {
@@ -180,13 +181,14 @@ private:
                 } catch (const InputError& e) { leave_out(o, choice.name, e); }
             }
     }
-    /// Where the scene is open water: in the method that is expected to take the least time, by the table of one core.
+    /// Where the box has walls that the scene does not mean: in the method that is expected to take the least time, by the table of one core.
     /// What runs teach of this machine would choose otherwise after the runs than before them, and --collect, --resume
     /// and another machine have to find the run that was made.
     void add_box(const PlannedRun& plan) {
         const Domain& box = plan.scene.domain;
         if (!plan.scene.hull || plan.scene.motion.kind != Motion::Kind::stream) return;
-        if (box.dimensions == 2 && !box.floor_ends_the_box) return;  // a channel: its bed and surface are all it has
+        const bool sides_end_the_box = box.dimensions == 3 && !sides_are_meant(plan.scene);
+        if (!sides_end_the_box && !box.floor_ends_the_box) return;  // a channel
         Scene on_one_core = plan.scene;
         on_one_core.run.threads = 1;
         const Prediction cost = predict_by_table(on_one_core);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/ladder/box_influence.h"
 #include "compare/ladder/ladder_report.h"
 #include "compare/report/escape.h"
 #include "compare/report/sentences.h"
@@ -106,6 +107,7 @@ void take(Difference& d, const LadderDifference& judged, const Ladder& ladder, c
 
 void judge_by_sizes(Comparison& c, const Ladder& ladder) {
     for (const std::string& line : ladder_banners(ladder)) c.banners.push_back(line);
+    add_measured_box(c, ladder);
     std::vector<std::optional<std::size_t>> sides;
     for (const RunRecord& record : c.sources) sides.push_back(side_of(ladder, record));
     for (Quantity& q : c.quantities) {

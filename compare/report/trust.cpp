@@ -51,10 +51,10 @@ std::string how_far(const Quantity& q, const Miss& miss) {
                                     : "off");
 }
 
-/// "the walls of the box (...) are expected to raise the lift by 12 %", without what a wider box would leave.
+/// "the walls of the box (...) are expected to raise the lift by 12 %", without what a wider box would leave, or what
+/// was measured in one.
 std::string walls_of(const Comparison& c) {
-    const std::string walls = text_of(c.sources.front(), "box_walls");
-    return walls.substr(0, walls.find(';'));
+    return c.walls.substr(0, c.walls.find(';'));
 }
 
 /// "at the wetted lengths that the runs find it gives 2430 and 2500 N of lift".

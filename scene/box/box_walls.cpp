@@ -26,7 +26,7 @@ WallEffect effect_at(const Scene& scene, const WallReach& reach) {
     if (planes(scene)) {
         const double side = of_sides * length * hull.beam * hull.beam / std::pow(reach.side, 3);
         const double floor = of_floor * length * hull.beam / (reach.depth * reach.depth);
-        return {side + (scene.domain.floor_ends_the_box ? floor : 0), "lift"};
+        return {(sides_are_meant(scene) ? 0 : side) + (scene.domain.floor_ends_the_box ? floor : 0), "lift"};
     }
     const double froude2 = U * U / (g * reach.depth);
     if (froude2 > largest_depth_froude * largest_depth_froude || !(length > 0)) return {};
@@ -55,6 +55,7 @@ bool planes(const Scene& scene) { return scene.motion.speed >= std::sqrt(scene.w
 
 WallEffect wall_effect(const Scene& scene) {
     if (!scene.hull || scene.motion.kind != Motion::Kind::stream || scene.domain.dimensions != 3) return {};
+    if (sides_are_meant(scene) && !scene.domain.floor_ends_the_box) return {};
     return effect_at(scene, reach_of(scene));
 }
 
@@ -64,27 +65,46 @@ WallReach reach_for_lift(const Hull& hull, double change) {
             std::sqrt(of_floor * length * hull.beam / (change / 2))};
 }
 
+bool sides_are_meant(const Scene& scene) {
+    return scene.hull && scene.motion.kind == Motion::Kind::stream && scene.domain.dimensions == 3 &&
+           scene.zones.sides == "walls";
+}
+
+std::string channel_text(const Scene& scene) {
+    if (!sides_are_meant(scene)) return {};
+    const WallReach here = reach_of(scene);
+    return scene.domain.floor_ends_the_box
+               ? fmt::format(
+                     "a channel of this width ({:.3g} m to each side; its floor only ends the box, unless "
+                     "[water] depth says that it is the bed)",
+                     here.side)
+               : fmt::format("a channel of this size ({:.3g} m to each side, {:.3g} m deep)", here.side, here.depth);
+}
+
 std::string wall_warning(const Scene& scene) {
     const WallEffect effect = wall_effect(scene);
     if (effect.of.empty()) return critical_depth_warning(scene);
     if (effect.change <= noticed_wall_effect) return {};
     const WallReach here = reach_of(scene);
-    const bool deeper = scene.domain.floor_ends_the_box;
+    const bool wider = !sides_are_meant(scene), deeper = scene.domain.floor_ends_the_box;
     WallReach wide = here;
     const WallEffect* left = &effect;
     WallEffect now;
     for (int k = 0; k < 60 && left->change > noticed_wall_effect; ++k) {
-        wide.side *= 1.05;
+        if (wider) wide.side *= 1.05;
         if (deeper) wide.depth *= 1.05;
         now = effect_at(scene, wide);
         if (now.of.empty()) break;
         left = &now;
     }
-    return fmt::format(
-        "the walls of the box ({:.3g} m to the side, {:.3g} m deep) are expected to raise the {} by {:.0f} %; {:.2g} m "
-        "to the side{} would leave {:.0f} %",
-        here.side, here.depth, effect.of, 100 * effect.change, wide.side,
-        deeper ? fmt::format(" and {:.2g} m deep", wide.depth) : "", 100 * left->change);
+    const std::string now_is =
+        wider ? fmt::format("walls of the box ({:.3g} m to the side, {:.3g} m deep) are", here.side, here.depth)
+              : fmt::format("floor of the box ({:.3g} m deep) is", here.depth);
+    std::string enough = wider ? fmt::format("{:.2g} m to the side", wide.side) : "";
+    if (deeper) enough += fmt::format("{}{:.2g} m deep", wider ? " and " : "", wide.depth);
+    return fmt::format("the {} expected to raise the {} by {:.0f} %; {} would leave {:.0f} %{}", now_is, effect.of,
+                       100 * effect.change, enough, 100 * left->change,
+                       wider ? "; where they are those of a channel, [domain] sides = \"walls\" says so" : "");
 }
 
 }  // namespace tw

@@ -151,12 +151,12 @@ Rows domain_keys() {
     };
     return {
         distance("ahead", "0.6 L ahead of the keel's entry, at least 0.15 L; from Froude number 1 on, with particles of "
-                 "several sizes, 0.4 L more", "Distance from the bow to the inlet."),
+                 "several sizes, 0.8 L more", "Distance from the bow to the inlet."),
         distance("behind", "L", "Distance from the stern to the outlet."),
-        distance("side", "2 B; below Froude number 1 at least L/2; above it, with particles of several sizes, so far that the sides change the lift by 0.5 %", "Distance from y = 0 to the sides."),
+        distance("side", "2 B; below Froude number 1 at least L/2; above it, with particles of several sizes, 1.5 times as far as where by the formula of the warning they change the lift by 0.5 %", "Distance from y = 0 to the sides."),
         distance("below",
                  "the larger of 1.6 B and 4 D (of a submerged body D and three of its heights); below Froude number 1 "
-                 "also half a wavelength, at most L/2; above it, with particles of several sizes, so deep that the floor changes the lift by 0.5 %",
+                 "also half a wavelength, at most L/2; above it, with particles of several sizes, 1.5 times as deep as where by the formula of the warning the floor changes the lift by 0.5 %",
                  "Depth of the floor below still water."),
         distance("above", "the largest of L/2, L/4 above the deck and U^2/(8 g) (at most L)",
                  "Height of the top above still water."),
@@ -165,6 +165,11 @@ Rows domain_keys() {
         extent("z", "Extent in height, instead of below and above."),
         {.name = "dimensions", .kind = Kind::whole, .range = {2, 3}, .hashed = Hashed::scene, .fallback = "3",
          .meaning = "3, or 2 for the x-z plane: of a hull its section with y = 0; forces are then per metre of span."},
+        {.name = "sides", .kind = Kind::choice, .choices = {"open", "walls"}, .hashed = Hashed::scene,
+         .slot = slot(&Scene::zones, &ZoneOptions::sides),
+         .meaning = "Beside a hull in a stream: open water, where waves are absorbed and the influence of the box is part "
+                    "of the intervals, or walls, as of a towing tank: the values are then those of a channel of this size.",
+         .later = true},
     };
 }
 
@@ -288,7 +293,7 @@ Rows sph_keys() {
          .meaning = "Smoothing length over particle spacing; unless given 2 with surface tension and with a wave."},
         {.name = "c0", .unit = "m/s", .range = {0, fastest_sound, true}, .hashed = Hashed::run,
          .slot = slot(&Scene::sph, &SphOptions::c0),
-         .fallback = "10 times the larger of U and sqrt(2 g H), and of sqrt(2 sigma/(rho h)) with surface tension; with "
+         .fallback = "10 times the larger of U and sqrt(2 g H), of a planing hull over no bed with its draft for H, and of sqrt(2 sigma/(rho h)) with surface tension; with "
                      "dynamic pressure H is the layer under the surface; 40 times where water strikes an elastic plate",
          .meaning = "Numerical sound speed; the density error grows with (speed/c0)^2, the run time with c0."},
         {.name = "delta", .range = {0, 1}, .hashed = Hashed::run, .slot = slot(&Scene::sph, &SphOptions::delta),

@@ -25,24 +25,28 @@ double snapped_face(double face, bool given, bool high, const Scene& scene) {
     return (high ? std::ceil(face / size - 1e-6) : std::floor(face / size + 1e-6)) * size;
 }
 
-/// Where coarser particles far away make room cheap, a planing hull's walls are worth one per cent of its lift.
+/// Measured: in boxes that by the formula change a planing hull's lift by one per cent, boxes twice as large changed it
+/// by 2 to 4 (docs/decisions/089-two-depths-and-coarse-zones.md).
+constexpr double beyond_formula = 1.5;
+
+/// Where coarser particles far away make room cheap, a box twice as large changes a planing hull's loads by at most 2 %.
 Margins margins(const Scene& scene) {
     const Hull& hull = *scene.hull;
     Margins m = default_margins(hull, scene.motion.speed, scene.water.gravity);
     const bool several_sizes = scene.resolution.of_particles || scene.sph.levels > 1;
     if (!several_sizes || !planes(scene) || hull.section) return m;
     const WallReach reach = reach_for_lift(hull, 0.01);
-    m.side = std::max(m.side, reach.side), m.below = std::max(m.below, reach.depth);
-    if (!hull.free) m.ahead += 0.4 * hull.length;  // where the zones of twice the sizes, a twin's, have room
+    m.side = std::max(m.side, beyond_formula * reach.side), m.below = std::max(m.below, beyond_formula * reach.depth);
+    if (!hull.free) m.ahead += 0.8 * hull.length;  // where the zones of twice the sizes, a twin's, have room
     return m;
 }
 
-/// Moves the faces of a hull's box away from the hull; the floor at most to the bed, `deepest` below still water.
-void widen(Box& box, const Box& hull, double factor, double deepest) {
+/// Moves the faces of a hull's box away from the hull, but for the sides of a channel; the floor at most to the bed,
+/// `deepest` below still water.
+void widen(Box& box, const Box& hull, double factor, double deepest, bool channel) {
     box.min.x() = hull.min.x() - factor * (hull.min.x() - box.min.x());
     box.max.x() = hull.max.x() + factor * (box.max.x() - hull.max.x());
-    box.min.y() *= factor;
-    box.max.y() *= factor;
+    if (!channel) box.min.y() *= factor, box.max.y() *= factor;
     if (-box.min.z() < deepest) box.min.z() = -std::min(factor * -box.min.z(), deepest);
 }
 
@@ -67,7 +71,8 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
     const double deepest = water_depth.value_or(std::numeric_limits<double>::infinity());
     const bool open_water = scene.hull && scene.motion.kind == Motion::Kind::stream;
     d.floor_ends_the_box = open_water && -box.min.z() < deepest;
-    if (open_water && box_factor != 1) widen(box, scene.hull->surface.bounds(), box_factor, deepest);
+    if (open_water && box_factor != 1)
+        widen(box, scene.hull->surface.bounds(), box_factor, deepest, sides_are_meant(scene));
     d.as_asked = box;
     const bool low_given[] = {o.x || o.ahead, o.y || o.side, floor_given};
     const bool high_given[] = {o.x || o.behind, o.y || o.side, o.z || o.above};

@@ -121,6 +121,10 @@ TEST_F(Command, OpenWaterHasARunInAWiderBoxAndATankHasNone) {
     EXPECT_TRUE(has(ladder.out, "box x 1.5")) << ladder.out;
     write("tank.toml", column);
     EXPECT_FALSE(has(twinwake({"ladder", "tank.toml", "--levels", "2", "--plan"}).out, "box"));
+    write("channel.toml", planing + "[water]\ndepth = 1\n[domain]\nsides = \"walls\"\n");
+    const Outcome channel = twinwake({"ladder", "channel.toml", "--method", "sph", "--levels", "2", "--plan"});
+    EXPECT_EQ(channel.status, 0) << channel.err;
+    EXPECT_FALSE(has(channel.out, "box x 1.5")) << channel.out;
 }
 
 TEST_F(Command, ABudgetChoosesTheFinestSizesThatFit) {

@@ -345,6 +345,16 @@ TEST(Compare, WhatTheWallsOfTheBoxDoStandsOnTop) {
     EXPECT_TRUE(said(r));
 }
 
+TEST(Compare, AChannelThatIsMeantIsSaidOnTop) {
+    RunRecord r = synthetic_run(sph);
+    r.attributes["channel"] = "a channel of this size (1.5 m to each side, 1.2 m deep)";
+    const Comparison c = compare_records({r});
+    const std::string said =
+        "Values are those of a hull in a channel of this size (1.5 m to each side, 1.2 m deep), not of open water.";
+    EXPECT_EQ(std::ranges::count(c.banners, said), 1);
+    EXPECT_EQ(c.walls, "");
+}
+
 TEST(Compare, ForcesInATankAreNamedByTheirDirections) {
     RunRecord stream = synthetic_run(sph), tank = stream;
     tank.attributes["motion"] = "none";

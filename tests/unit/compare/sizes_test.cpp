@@ -181,6 +181,35 @@ TEST(Sizes, TheBoxCountsInBothMethodsAndNotInTheirDifference) {
     EXPECT_TRUE(has(page, "inverse of the water"));
 }
 
+// What a run in a wider box measures stands in place of what was expected.
+TEST(Sizes, WhatAWiderBoxMeasuresIsSaidInPlaceOfWhatWasExpected) {
+    const std::string expected = "the walls of the box (1.5 m to the side) are expected to raise the lift by 12 %";
+    const auto judged = [&](const std::string& walls, double change, double wider = 1.5) {
+        LadderVariation wide = varied("fvm", "box x 1.5", 1, true, [&](RunRecord& r) {
+            r.numbers["domain_y_min"] = -2 * wider, r.numbers["domain_y_max"] = 2 * wider;
+            r.numbers["domain_z_min"] = -1.6 * wider;
+        });
+        for (Quantity& q : wide.run.quantities)
+            if (q.name == "lift") q.values[0].value *= 1 - change;
+        std::vector<RunRecord> records{member("sph", 2800, 100, spacings[0]), member("fvm", 2800, 10, spacings[0])};
+        if (!walls.empty()) records[0].attributes["box_walls"] = walls;
+        Comparison c = compare_records(std::move(records));
+        judge_by_sizes(c, build_ladder(runs_of(100, 2800, 10), {wide}));
+        return c;
+    };
+    const auto count = [](const Comparison& c, const std::string& part) {
+        return std::ranges::count_if(c.banners, [&](const std::string& b) { return has(b, part); });
+    };
+    const Comparison both = judged(expected, 0.05);
+    EXPECT_EQ(count(both, "expected to raise"), 0);
+    EXPECT_EQ(count(both, "the walls of the box change lift by +9.1 %"), 1) << both.walls;
+    EXPECT_EQ(count(both, "measured by interFoam at"), 1) << both.walls;
+    EXPECT_EQ(count(judged("", -0.05), "change lift by -9.1 %"), 1) << "walls that nobody expected";
+    EXPECT_EQ(count(judged("", 0.005), "walls of the box"), 0) << "0.9 % is not worth a line";
+    EXPECT_EQ(count(judged(expected, 0.005), "change lift by +0.9 %"), 1);
+    EXPECT_EQ(count(judged(expected, 0.05, 1.05), "expected to raise"), 1) << "a box that is hardly wider says nothing";
+}
+
 TEST(Sizes, AChoiceThatDidNotChangeTheStepsIsRefusedAsEvidence) {
     const std::vector<LadderRun> runs = runs_of(100, 2800, 10);
     LadderVariation half =

@@ -20,7 +20,7 @@ namespace levels_test {
 std::string with_levels(int levels) { return planing + "\n[sph]\nlevels = " + std::to_string(levels) + "\nzone = 8\n"; }
 
 TEST(ParticleLevels, ZonesHoldTheHullLieOnTheCoarseLatticeAndKeepTheirDistances) {
-    const Scene scene = scene_of(with_levels(3) + "[domain]\nahead = \"4 m\"\n");
+    const Scene scene = scene_of(with_levels(3) + "[domain]\nahead = \"4 m\"\nbelow = \"2.6 m\"\n");
     const std::vector<Zone> zones = particle_zones(scene);
     ASSERT_EQ(zones.size(), 2u);
     const Box &wide = zones[0].boxes()[0], &narrow = zones[1].boxes()[0], hull = scene.hull->surface.bounds();

@@ -69,6 +69,11 @@ TEST(NewRecord, SaysWhatTheWallsOfTheBoxDo) {
     EXPECT_NE(new_record(test::scene_of(narrow), "sph").attributes.at("box_walls").find("raise the lift by"),
               std::string::npos);
     EXPECT_FALSE(new_record(test::scene_of(wide), "sph").attributes.contains("box_walls"));
+    EXPECT_FALSE(new_record(test::scene_of(narrow), "sph").attributes.contains("channel"));
+    const std::string channel = test::planing + "[water]\ndepth = 1.2\n[domain]\nside = 1.5\nsides = \"walls\"\n";
+    const RunRecord record = new_record(test::scene_of(channel), "sph");
+    EXPECT_TRUE(record.attributes.at("channel").starts_with("a channel of this size"));
+    EXPECT_FALSE(record.attributes.contains("box_walls"));
 }
 
 TEST(NewRecord, HoldsTheBodiesThatKeepTheirShape) {
