@@ -53,6 +53,7 @@ TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
                                         "ply.name",
                                         "gauge.body",
                                         "run.stop",
+                                        "wave.empty_twin",
                                         "measured.quantity",
                                         "measured.value",
                                         "measured.uncertainty",
