@@ -166,8 +166,7 @@ double wave_has_passed(const Scene& scene) {
 
 double default_duration(const Scene& scene) {
     const double T = time_scale(scene);
-    if (scene.has_wave())
-        return wave_has_passed(scene) + std::max(wave_scales(scene).measured, start_up_period(scene));
+    if (scene.has_wave()) return wave_has_passed(scene) + std::max(wave_scales(scene).measured, start_up_period(scene));
     if (scene.motion.kind != Motion::Kind::stream) return 10 * T;
     // A section's jet falls back on the water before it and shakes the loads: twice the time for as good a mean.
     const double mean = scene.domain.dimensions == 2 ? 4 * T : 2 * T;

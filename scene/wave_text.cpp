@@ -52,7 +52,8 @@ std::string regular_wave_text(const Scene& scene) {
         w.height, w.length, w.encounter_period(), w.sum.direction > 0 ? "+" : "-", w.crest, w.trough,
         linear ? "linear" : fmt::format("stream function, {} terms", w.sum.terms), w.why,
         wave_regime(w.height, w.length, w.depth), w.height / w.length, w.k() * w.depth, depth_regime(w.length, w.depth),
-        ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth), speed_text(scene));
+        ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth),
+        speed_text(scene));
     out += fmt::format(
         "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths between the zones\n"
         "  run       {:.3g} periods",

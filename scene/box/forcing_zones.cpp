@@ -127,9 +127,9 @@ void take_wave(const Scene& scene, ForcingZones& plan) {
         zone.makes_wave = !zone.high;
         zone.gamma = zone.makes_wave ? strength_in_stream * gamma
                                      : std::max(zone.gamma, gamma * std::min(1.0, lengths_that_absorb / lengths));
-        widths += fmt::format("{} {:.3g} of its lengths",
-                              zone.makes_wave ? "the first makes the wave over" : ", the second absorbs it over",
-                              lengths);
+        widths +=
+            fmt::format("{} {:.3g} of its lengths",
+                        zone.makes_wave ? "the first makes the wave over" : ", the second absorbs it over", lengths);
     }
     plan.why = widths + "; " + plan.why;
 }
@@ -202,7 +202,8 @@ ForcingZones zones_of_wave(const Scene& scene) {
     const bool from_high = wave.direction < 0;
     for (const bool makes : {true, false}) {
         const bool high = makes == from_high;
-        const double end = (high ? box.max : box.min).x(), width = (makes ? lengths_that_make : lengths_that_absorb) * wave.longest;
+        const double end = (high ? box.max : box.min).x(),
+                     width = (makes ? lengths_that_make : lengths_that_absorb) * wave.longest;
         plan.zones.push_back({.axis = 0,
                               .high = high,
                               .begin = high ? end - width : end + width,
@@ -271,9 +272,7 @@ bool has_zones_by_default(const Scene& scene, double gravity) {
 ZoneReach zone_reach(const Scene& scene, double gravity) {
     const double size = largest_size(scene);
     const Running ahead = ahead_of(scene), behind = behind_of(scene);
-    const auto whole = [&](double width) {
-        return std::ceil(std::max(width / size, fewest_spacings) - 1e-6) * size;
-    };
+    const auto whole = [&](double width) { return std::ceil(std::max(width / size, fewest_spacings) - 1e-6) * size; };
     const auto width = [&](const Running& water, double of_wave) {
         return whole(of_wave * std::min(wave_of(water, gravity), longest_wave(scene)));
     };

@@ -265,8 +265,8 @@ void settle_domain(Reading& r) {
         scene.domain = of();
     };
     const bool unasked = is_refined_unasked(scene) && !s.wave.present();
-    if ((r.resolution.spacing || unasked) && !scene.tank_motion &&
-        !s.numerics.at("sph").has("levels") && !s.effects.on_off("air").value_or(false))
+    if ((r.resolution.spacing || unasked) && !scene.tank_motion && !s.numerics.at("sph").has("levels") &&
+        !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
         make_domain();

@@ -31,19 +31,23 @@ bool in_stream(const Scene& scene) { return scene.motion.kind == Motion::Kind::s
 void refuse_streams(const Scene& scene, Sections& s) {
     const SceneSection& wave = s.wave;
     if (scene.wave_asked.spectrum != "regular")
-        wave.fail("spectrum", "a sum of waves in a stream is not made yet; expected a regular wave (remove this key), or "
-                              "a tank: [tank] with min and max, and no speed");
+        wave.fail("spectrum",
+                  "a sum of waves in a stream is not made yet; expected a regular wave (remove this key), or "
+                  "a tank: [tank] with min and max, and no speed");
     if (scene.hull_is_free())
-        s.hull.fail("free", "a free hull in a stream with waves is not made yet; expected a hull that is held: remove "
-                            "this key, or [wave]");
+        s.hull.fail("free",
+                    "a free hull in a stream with waves is not made yet; expected a hull that is held: remove "
+                    "this key, or [wave]");
     if (!scene.bodies.empty())
-        s.bodies[0].fail("name", "bodies in a stream with waves are not made yet; expected a hull that is held, "
-                                 "obstacles, or a tank");
+        s.bodies[0].fail("name",
+                         "bodies in a stream with waves are not made yet; expected a hull that is held, "
+                         "obstacles, or a tank");
     if (s.domain.has("downstream"))
         s.domain.fail("downstream", "a wave runs in water of one depth; remove this key, or [wave]");
     if (s.domain.has("sides") && scene.zones.sides == "open")
-        s.domain.fail("sides", "with [wave] the sides are walls, because zones there would take the wave away beside "
-                               "the hull; remove this key, or write \"walls\"");
+        s.domain.fail("sides",
+                      "with [wave] the sides are walls, because zones there would take the wave away beside "
+                      "the hull; remove this key, or write \"walls\"");
 }
 
 /// What this version does not make waves in.
@@ -52,8 +56,9 @@ void refuse_surroundings(const Scene& scene, Sections& s) {
     if (in_stream(scene))
         refuse_streams(scene, s);
     else if (!s.tank.present())
-        wave.fail("height", "a wave is made in a tank between walls or in a stream; expected [tank] with min and max, z "
-                            "from -depth, or [motion] kind = \"stream\" with its speed");
+        wave.fail("height",
+                  "a wave is made in a tank between walls or in a stream; expected [tank] with min and max, z "
+                  "from -depth, or [motion] kind = \"stream\" with its speed");
     if (scene.tank_motion) s.tank.fail("law", "a tank that moves makes waves of its own; remove [wave], or the motion");
     if (!scene.water_blocks.empty())
         s.water_blocks[0].fail("min",
@@ -75,8 +80,9 @@ double direction_of(const Scene& scene, const SceneSection& wave) {
                                            "\"180 deg\" (towards -x)",
                                            angle * 180 / std::numbers::pi));
     if (in_stream(scene) && along < 0)
-        wave.fail("direction", "following waves are not made yet in a stream; expected head waves, which run with the "
-                               "stream against the hull: direction = 0, or remove this key");
+        wave.fail("direction",
+                  "following waves are not made yet in a stream; expected head waves, which run with the "
+                  "stream against the hull: direction = 0, or remove this key");
     return along > 0 ? 1 : -1;
 }
 
