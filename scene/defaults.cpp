@@ -104,9 +104,12 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
         Box box{low.cwiseMax(scene.domain.box.min), high.cwiseMin(scene.domain.box.max)};
         if (level > 0 && (box.size().array() > 0).all()) boxes.push_back({name, box, level});
     };
-    const int surface_level = std::clamp(level_for(L / 24, unscaled), std::max(0, finest - 3), finest);
-    const double band = scene.resolution.spacing / std::exp2(surface_level);
-    add("free_surface", 3, L / 24, {-everywhere, -everywhere, -band}, {everywhere, everywhere, band});
+    // of a wave's height five cells at least
+    const double at_surface = scene.has_wave() ? std::min(L / 24, wave_scales(scene).height / 5) : L / 24;
+    const int surface_level = std::clamp(level_for(at_surface, unscaled), std::max(0, finest - 3), finest);
+    const double cell_there = scene.resolution.spacing / std::exp2(surface_level),
+                 band = std::max(cell_there, scene.has_wave() ? 1.2 * wave_scales(scene).crest : 0);
+    add("free_surface", 3, at_surface, {-everywhere, -everywhere, -band}, {everywhere, everywhere, band});
     add("wake", 2, L / 24, {bow - 0.2 * L, -1.7 * B, -D - 0.7 * B}, {stern + 1.125 * L, 1.7 * B, 0.7 * B});
     add("near", 1, L / 48, {entry - 0.23 * L, -B, -D - 0.25 * B}, {stern + 0.5 * L, B, 0.35 * B});
     add("wet", 1, B / 24, {entry - 0.08 * L, -0.62 * B, -D - 0.06 * B}, {stern + 0.09 * L, 0.62 * B, 0.12 * B});
@@ -147,10 +150,15 @@ double start_up_period(const Scene& scene) {
     return 8 * std::numbers::pi * std::pow(std::min(F, 0.5), 2) * time_scale(scene);
 }
 
-/// From when on a tank's wave has passed every gauge and body [s]. With solids in the tank it begins in the zone that
-/// makes it (scene/box/tank_wave.h), and its front runs to the other zone at the group speed.
+/// From when on a tank's or a stream's wave has passed every gauge and body [s]. In a stream, and with solids in the
+/// tank, it begins in the zone that makes it (scene/box/tank_wave.h), and its front runs to the other zone at the group
+/// speed, over which the stream carries it. Until then a hull's flow has settled too.
 double wave_has_passed(const Scene& scene) {
     const WaveScales wave = wave_scales(scene);
+    if (scene.motion.kind == Motion::Kind::stream) {
+        const double way = scene.domain.undamped.max.x() - scene.domain.box.min.x();
+        return start_of(scene) + std::max(settling(scene), 3 * wave.period + way / wave.slowest);
+    }
     if (scene.sea && scene.sea->kind == Sea::Kind::focused)  // what is measured is its crest
         return std::max(0.0, scene.sea->focus_time - 2 * wave.period);
     const double way = begins_in_zone(scene) ? scene.domain.box.size().x() - wave.longest : 0;
@@ -159,7 +167,7 @@ double wave_has_passed(const Scene& scene) {
 
 double default_duration(const Scene& scene) {
     const double T = time_scale(scene);
-    if (scene.has_wave()) return wave_has_passed(scene) + wave_scales(scene).measured;
+    if (scene.has_wave()) return wave_has_passed(scene) + std::max(wave_scales(scene).measured, start_up_period(scene));
     if (scene.motion.kind != Motion::Kind::stream) return 10 * T;
     // A section's jet falls back on the water before it and shakes the loads: twice the time for as good a mean.
     const double mean = scene.domain.dimensions == 2 ? 4 * T : 2 * T;
@@ -167,10 +175,14 @@ double default_duration(const Scene& scene) {
 }
 
 bool loads_settle(const Scene& scene) {
-    return scene.motion.kind == Motion::Kind::stream && scene.hull && !scene.hull->free && scene.bodies.empty();
+    return scene.motion.kind == Motion::Kind::stream && scene.hull && !scene.hull->free && scene.bodies.empty() &&
+           !scene.has_wave();
 }
 
-double default_interval(const Scene& scene) { return time_scale(scene) / 25; }
+double default_interval(const Scene& scene) {
+    const double T = time_scale(scene);
+    return (scene.has_wave() ? std::min(T, wave_scales(scene).period) : T) / 25;
+}
 
 void fill_times(Scene& scene) {
     const bool stream = scene.motion.kind == Motion::Kind::stream;

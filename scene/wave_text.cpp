@@ -25,6 +25,21 @@ double between_zones(const Scene& scene) {
     return between;
 }
 
+/// How fast it runs, and what current it has.
+std::string speed_text(const Scene& scene) {
+    const RegularWave& w = *scene.wave;
+    if (scene.motion.kind != Motion::Kind::stream)
+        return fmt::format(
+            "{:.4g} m/s over still water; mean current below the troughs {:.3g} m/s, so that the tank has no net "
+            "transport",
+            w.speed_in_water, w.sum.current);
+    return fmt::format(
+        "{:.4g} m/s in the water, with the stream {:.4g} m/s past the hull: a head wave of {:.4g} s in the water, met "
+        "every {:.4g} s (U omega_e/g {:.3g}); its front runs at {:.4g} m/s",
+        w.speed_in_water, w.sum.speed, w.period_in_water(), w.encounter_period(),
+        scene.motion.speed * w.encounter_frequency() / w.gravity, wave_scales(scene).slowest);
+}
+
 /// The regular wave: what it is by theory, how it is resolved, and what becomes of it on its way.
 std::string regular_wave_text(const Scene& scene) {
     const RegularWave& w = *scene.wave;
@@ -35,14 +50,12 @@ std::string regular_wave_text(const Scene& scene) {
         "wave        {:.4g} m high, {:.4g} m long, period {:.4g} s, towards {}x; crest {:.4g} m, trough {:.4g} m\n"
         "  theory    {}: {}\n"
         "  regime    {}; H/L {:.3g}, k d {:.3g} ({} water), Ursell {:.3g}, {:.2g} % of the highest wave\n"
-        "  speed     {:.4g} m/s over still water; mean current below the troughs {:.3g} m/s, so that the tank has no "
-        "net "
-        "transport\n",
+        "  speed     {}\n",
         w.height, w.length, w.encounter_period(), w.sum.direction > 0 ? "+" : "-", w.crest, w.trough,
         linear ? "linear" : fmt::format("stream function, {} terms", w.sum.terms), w.why,
         wave_regime(w.height, w.length, w.depth), w.height / w.length, w.k() * w.depth, depth_regime(w.length, w.depth),
-        ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth), w.speed_in_water,
-        w.sum.current);
+        ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth),
+        speed_text(scene));
     out += fmt::format(
         "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths between the zones\n"
         "  run       {:.3g} periods",

@@ -176,7 +176,7 @@ void place_particles(const Scene& scene, const std::vector<Box>& blocks, SphSetu
     setup.fluid = fill_levels(s, blocks);
     fit_to_solids(s, blocks, setup.fluid);
     setup.pressure_iterations = find_start_pressure(s, blocks, setup.fluid);
-    if (scene.has_wave()) begin_with_wave(scene, setup.fluid);
+    if (begins_with_wave(scene)) begin_with_wave(scene, setup.fluid);
     if (setup.air) setup.air->fluid = fill_with_air(s, blocks);
     if (setup.fluid.front().places.empty())
         throw InputError(scene.file.string() + ": no water particle fits: the spacing " + std::to_string(s.dp) +

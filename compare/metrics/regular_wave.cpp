@@ -199,8 +199,10 @@ void add_regular_wave(Comparison& comparison) {
         loss.values.push_back(found.loss);
     }
     const bool decays = gauges.size() > 2;
+    // A wave that runs back against a stream has another length, and above U omega_e/g = 1/4 there is none.
+    const bool in_stream = number_of(comparison.sources.front(), "speed", 0) > 0;
     for (Quantity* q : {&reflected, &loss}) {
-        if (q == &loss && !decays) continue;
+        if (q == &loss ? !decays : in_stream) continue;
         beside(*q);
         q->judged_in_ladder = true;
         comparison.quantities.push_back(std::move(*q));

@@ -20,8 +20,9 @@ namespace tw {
 ///   wave_without:BODY    that wave, 2 a [m]
 ///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%]: of two by split_waves over the
 ///                        whole time, of more by split_decaying_waves of each period, with the 95 % interval of the mean of
-///                        the complex ratio over the periods
-///   wave_force_x, wave_force_z   of what stands fixed in the tank, without bodies: amplitude of the first harmonic [N]
+///                        the complex ratio over the periods; in a stream, where a wave that runs back has another length,
+///                        there is none
+///   wave_force_x, wave_force_z   of what stands fixed, a hull that is held too, without bodies: amplitude of the first harmonic [N]
 ///   wave_force_phase_x, _z       by how much it is before the theory's crest at x = 0 [deg]
 ///   wave_drift_x                 mean force along x [N]
 ///   wave_loss            of three gauges or more: what the incident wave loses of its height in one of its lengths [%]

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "foam_cases/files/case_files.h"
+#include "scene/box/tank_wave.h"
 
 namespace tw {
 
@@ -70,7 +71,7 @@ compression correction.
                   : "Slip on all solids: the counterpart of an SPH run without physical viscosity.\n",
         p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
         p.scene->hull && p.scene->hull->half ? " (half model)" : "",
-        p.scene->has_wave() ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
+        begins_with_wave(*p.scene) ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
                       : "");
 }
 

@@ -11,6 +11,7 @@
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/number_rows.h"
 #include "foam_cases/read/time_folders.h"
+#include "scene/box/tank_wave.h"
 #include "scene/mesh/mesh_cells.h"
 
 namespace tw {
@@ -135,7 +136,7 @@ MeshOutcome make_mesh(const CasePlan& plan, const CasePrograms& programs, const 
     step(plan.flavour.post_process_program(), {"-func", "writeCellCentres", "-time", "0"}, "writeCellCentres");
     step(plan.flavour.post_process_program(), {"-func", "writeCellVolumes", "-time", "0"}, "writeCellVolumes");
     for (const char* component : {"Cx", "Cy", "Cz"}) fs::remove(folder / "0" / component);
-    if (plan.scene->has_wave() && !out.stopped) begin_with_wave(plan, folder / "0");
+    if (begins_with_wave(*plan.scene) && !out.stopped) begin_with_wave(plan, folder / "0");
     out.ranks = ranks_for(out.cells);
     if (out.ranks > 1) {
         write_text_atomically(folder / "system/decomposeParDict", decompose_par_dict(plan, out.ranks));

@@ -31,10 +31,15 @@ void LevelAtEnds::keep(RunRecord& record) const {
         samples.set(samples.time.size() - 1, end.name, "m", end.more / ((end.high - end.low) * across));
 
     const std::vector<double>& level = samples.find(ends_[0].name)->values;
-    double sum = 0;
+    double sum = 0, from = scene_.sampling.mean_from;
     int count = 0;
+    if (scene_.wave) {  // of whole periods, since mean_from
+        const double end = samples.time.back(), period = scene_.wave->encounter_period(),
+                     whole = std::floor((end - from) / period + 1e-6);
+        if (whole >= 1) from = end - (whole - 1e-6) * period;
+    }
     for (std::size_t i = 0; i < level.size(); ++i)
-        if (samples.time[i] >= scene_.sampling.mean_from) sum += level[i], ++count;
+        if (samples.time[i] >= from) sum += level[i], ++count;
     if (count == 0) return;
     const double depth = -scene_.domain.box.min.z();
     const CertificateLine line{inlet_level_line, "% of the depth", 100 * std::abs(sum / count) / depth, 1,

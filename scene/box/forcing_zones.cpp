@@ -31,7 +31,7 @@ double largest_size(const Scene& scene) { return std::max(scene.resolution.spaci
 double shortest_wave(const Scene& scene) { return fewest_spacings * largest_size(scene); }
 
 bool has_open_sides(const Scene& scene) {
-    return scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "open";
+    return scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "open" && !scene.has_wave();
 }
 
 /// The water at an end of a stream.
@@ -59,6 +59,12 @@ bool has_zone(const Running& water, const Scene& scene, double gravity) {
 }
 
 constexpr double longest_of_hull = 1.5;  ///< wave over hull length, of length Froude number 0.49
+
+/// Whether the stream's own waves ask for zones; a planing hull leaves its waves behind.
+bool waves_stand(const Scene& scene, double gravity) {
+    return !(scene.hull && planes(scene)) &&
+           (tailwater(scene) || standing_wave_length(scene.motion.speed, gravity, depth_of(scene)));
+}
 
 /// The longest wave for which zones are not too large beside the box [m]; in two dimensions they cost little.
 double longest_wave(const Scene& scene) {
@@ -91,9 +97,41 @@ std::string why_in_stream(const Scene& scene, double wave) {
                         scene.hull ? fmt::format("{:g} hull lengths", longest_of_hull) : "half the channel's length");
     if (const double least = shortest_wave(scene); wave < least)
         why += fmt::format("; they are made for {:.3g} m, {:g} of the largest spacings", least, fewest_spacings);
-    if (scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "walls")
+    if (scene.has_wave() && scene.hull && scene.domain.dimensions == 3)
+        why += "; the sides are walls: zones there would take the wave";
+    else if (scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "walls")
         why += "; the sides are walls, as [domain] sides says";
     return why;
+}
+
+/// Of a wave in a tank or in a stream: the end that makes it, and how strong its zone is over one that absorbs it
+/// (docs/decisions/088-waves.md).
+constexpr double lengths_that_make = 1.5, lengths_that_absorb = 1, strength_in_tank = 2, strength_in_stream = 1.5;
+
+/// gamma of a zone of one wave length that absorbs the longest wave that counts [1/s].
+double strength_that_absorbs(const Scene& scene, const WaveScales& wave) {
+    const double depth = scene.wave ? scene.wave->depth : scene.sea->depth();
+    return 1.5 * wave.lowest_frequency / std::sqrt(std::tanh(2 * pi / wave.longest * depth));
+}
+
+/// Those of a stream with a head wave, on top of what the stream asks for.
+void take_wave(const Scene& scene, ForcingZones& plan) {
+    const WaveScales wave = wave_scales(scene);
+    const double gamma = strength_that_absorbs(scene, wave);
+    plan.wave_length = wave.longest;
+    plan.frequency = wave.lowest_frequency;
+    std::string widths;
+    for (ForcingZone& zone : plan.zones) {
+        if (zone.axis != 0) continue;
+        const double lengths = std::abs(zone.end - zone.begin) / wave.longest;
+        zone.makes_wave = !zone.high;
+        zone.gamma = zone.makes_wave ? strength_in_stream * gamma
+                                     : std::max(zone.gamma, gamma * std::min(1.0, lengths_that_absorb / lengths));
+        widths +=
+            fmt::format("{} {:.3g} of its lengths",
+                        zone.makes_wave ? "the first makes the wave over" : ", the second absorbs it over", lengths);
+    }
+    plan.why = widths + "; " + plan.why;
 }
 
 ForcingZones zones_of_stream(const Scene& scene) {
@@ -120,6 +158,7 @@ ForcingZones zones_of_stream(const Scene& scene) {
                                   .gamma = leaves ? gamma(behind.speed) : plan.frequency,
                                   .share = leaves ? behind.share : 1});
         }
+    if (scene.has_wave()) take_wave(scene, plan);
     return plan;
 }
 
@@ -145,12 +184,8 @@ double clear_of_bodies(const Scene& scene, int axis, bool high) {
     return std::max(0.0, clear);
 }
 
-/// Of a tank with a wave: the end that makes it, and the one that absorbs it.
-constexpr double lengths_that_make = 1.5, strength_that_makes = 2;  // docs/decisions/088-waves.md
-
 ForcingZones zones_of_wave(const Scene& scene) {
     const WaveScales wave = wave_scales(scene);
-    const double k = 2 * pi / wave.longest, depth = scene.wave ? scene.wave->depth : scene.sea->depth();
     ForcingZones plan;
     plan.wave_length = wave.longest;
     plan.frequency = wave.lowest_frequency;
@@ -162,17 +197,18 @@ ForcingZones zones_of_wave(const Scene& scene) {
             "% "
             "of the energy is in longer waves",
             lengths_that_make, wave.longest, 100 * waves_that_count);
-    const double gamma = 1.5 * plan.frequency / std::sqrt(std::tanh(k * depth));
+    const double gamma = strength_that_absorbs(scene, wave);
     const Box& box = scene.domain.box;
     const bool from_high = wave.direction < 0;
     for (const bool makes : {true, false}) {
         const bool high = makes == from_high;
-        const double end = (high ? box.max : box.min).x(), width = (makes ? lengths_that_make : 1) * wave.longest;
+        const double end = (high ? box.max : box.min).x(),
+                     width = (makes ? lengths_that_make : lengths_that_absorb) * wave.longest;
         plan.zones.push_back({.axis = 0,
                               .high = high,
                               .begin = high ? end - width : end + width,
                               .end = end,
-                              .gamma = makes ? strength_that_makes * gamma : gamma,
+                              .gamma = makes ? strength_in_tank * gamma : gamma,
                               .makes_wave = makes});
     }
     return plan;
@@ -229,26 +265,34 @@ std::optional<double> standing_wave_length(double speed, double gravity, double 
 }
 
 bool has_zones_by_default(const Scene& scene, double gravity) {
-    return scene.motion.kind == Motion::Kind::stream && gravity > 0 && !(scene.hull && planes(scene)) &&
-           (tailwater(scene) || standing_wave_length(scene.motion.speed, gravity, depth_of(scene)));
+    return scene.motion.kind == Motion::Kind::stream && gravity > 0 &&
+           (scene.has_wave() || waves_stand(scene, gravity));
 }
 
 ZoneReach zone_reach(const Scene& scene, double gravity) {
     const double size = largest_size(scene);
     const Running ahead = ahead_of(scene), behind = behind_of(scene);
+    const auto whole = [&](double width) { return std::ceil(std::max(width / size, fewest_spacings) - 1e-6) * size; };
     const auto width = [&](const Running& water, double of_wave) {
-        const double wave = std::min(wave_of(water, gravity), longest_wave(scene));
-        return std::ceil(std::max(of_wave * wave / size, fewest_spacings) - 1e-6) * size;
+        return whole(of_wave * std::min(wave_of(water, gravity), longest_wave(scene)));
     };
-    return {has_zone(ahead, scene, gravity) ? width(ahead, ahead_of_wave) : 0,
-            has_zone(behind, scene, gravity) ? width(behind, behind_of_wave) : 0,
-            has_open_sides(scene) ? width(ahead, side_of_wave) : 0};
+    ZoneReach reach;
+    if (!scene.has_wave() || waves_stand(scene, gravity))
+        reach = {has_zone(ahead, scene, gravity) ? width(ahead, ahead_of_wave) : 0,
+                 has_zone(behind, scene, gravity) ? width(behind, behind_of_wave) : 0,
+                 has_open_sides(scene) ? width(ahead, side_of_wave) : 0};
+    if (scene.has_wave()) {
+        const double wave = wave_scales(scene).longest;
+        reach.ahead = std::max(reach.ahead, whole(lengths_that_make * wave));
+        reach.behind = std::max(reach.behind, whole(lengths_that_absorb * wave));
+    }
+    return reach;
 }
 
 ForcingZones forcing_zones(const Scene& scene) {
     if (!scene.effect_on("forcing_zones")) return {};
-    if (scene.has_wave()) return zones_of_wave(scene);
-    return scene.motion.kind == Motion::Kind::stream ? zones_of_stream(scene) : zones_of_tank(scene);
+    if (scene.motion.kind == Motion::Kind::stream) return zones_of_stream(scene);
+    return scene.has_wave() ? zones_of_wave(scene) : zones_of_tank(scene);
 }
 
 }  // namespace tw

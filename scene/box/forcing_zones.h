@@ -46,13 +46,18 @@ struct ForcingZones {
 /// wide. The wall behind the one that makes it sends out a wave of the same height against it; over 1.5 wave lengths and
 /// with twice the strength less than 1 % of that is left, and less than half a per cent of a wave that comes back is
 /// reflected (docs/decisions/088-waves.md). Those of a sum of waves are made for the longest that count (tank_wave.h).
+///
+/// In a stream with a head wave the zone ahead makes it and the one behind absorbs it, as wide at least as in a tank and
+/// as wide as the stream itself asks for. Frequencies are those of encounter; the one that makes it has 1.5 times the
+/// strength of one that absorbs it over one wave length, the one behind as much as its width needs. A hull's sides are
+/// walls, because zones would take the wave away beside it.
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.
 std::optional<double> standing_wave_length(double speed, double gravity, double depth);
 
 /// Whether zones are on unless the scene says otherwise: in every stream in which a wave can stand, but for planing
-/// hulls (length Froude number 1 and more), which leave their waves behind. Its domain has to be known, its weight may
+/// hulls (length Froude number 1 and more), which leave their waves behind; and with a [wave]. Its domain has to be known, its weight may
 /// be off: `gravity` [m/s2].
 bool has_zones_by_default(const Scene& scene, double gravity);
 

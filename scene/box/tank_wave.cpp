@@ -8,10 +8,20 @@
 #include "waves/dispersion.h"
 
 namespace tw {
+namespace {
+
+/// Of the energy, over the scene's axes [m/s].
+double group_speed(const RegularWave& wave) {
+    return group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water + wave.sum.direction * wave.sum.current;
+}
+
+}  // namespace
 
 bool begins_in_zone(const Scene& scene) {
     return scene.hull || !scene.bodies.empty() || !scene.obstacles.empty() || !scene.empty_twin_of.empty();
 }
+
+bool begins_with_wave(const Scene& scene) { return scene.has_wave() && scene.motion.kind != Motion::Kind::stream; }
 
 WaveScales wave_scales(const Scene& scene) {
     WaveScales w;
@@ -24,7 +34,7 @@ WaveScales wave_scales(const Scene& scene) {
         w.period = wave.encounter_period();
         w.speed = wave.sum.speed;
         w.lowest_frequency = wave.encounter_frequency();
-        w.slowest = group_speed_ratio(wave.k() * wave.depth) * wave.sum.speed;
+        w.slowest = group_speed(wave);
         w.measured = 7 * w.period;
         return w;
     }
@@ -132,7 +142,7 @@ double loss_by_artificial_viscosity(const Scene& scene, double distance) {
     double k, group;
     if (scene.wave) {
         k = scene.wave->k();
-        group = group_speed_ratio(k * scene.wave->depth) * scene.wave->sum.speed;
+        group = group_speed(*scene.wave);
     } else {
         k = 2 * std::numbers::pi / scene.sea->length_at_peak();
         group = group_speed_ratio(k * scene.sea->depth()) * 2 * std::numbers::pi / (scene.sea->peak_period * k);

@@ -3,7 +3,7 @@
 
 namespace tw {
 
-/// What a scene's wave asks of tank, zones, sizes and times. Of a sum of waves the peak is what a regular one is as a
+/// What a scene's wave asks of tank or stream, zones, sizes and times. Of a sum of waves the peak is what a regular one is as a
 /// whole; waves below and above which 5 % of the energy lie are the longest and the shortest that count.
 struct WaveScales {
     double direction = 1;
@@ -18,6 +18,8 @@ inline constexpr double waves_that_count = 0.05;  ///< share of the energy left 
 /// Of a scene that has a wave.
 WaveScales wave_scales(const Scene& scene);
 bool begins_in_zone(const Scene& scene);  ///< with solids in the tank, and in an empty twin
+/// In a tank. A stream begins calm: what its zone has not yet made leaves it with the water.
+bool begins_with_wave(const Scene& scene);
 
 /// The wave of [wave] in the tank as the water begins: everywhere but at the end that absorbs it, where its height
 /// falls to nothing as 1 - s^2 (s as in scene/box/forcing_zones.h). With solids in the tank it begins in the zone that
@@ -25,7 +27,7 @@ bool begins_in_zone(const Scene& scene);  ///< with solids in the tank, and in a
 /// the wave.
 class TankWave {
 public:
-    explicit TankWave(const Scene& scene);    ///< that has a wave
+    explicit TankWave(const Scene& scene);    ///< that begins with a wave
     double share(double x) const;             ///< of the wave's height there, 0 to 1
     double surface(double x) const;           ///< at the start [m]
     Vec3 velocity(double x, double z) const;  ///< at the start [m/s]

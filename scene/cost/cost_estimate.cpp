@@ -74,9 +74,9 @@ double cores(const Scene& scene) {
 
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
-    if (scene.wave)  // of the water in its crest
-        return std::numbers::pi * scene.wave->height / scene.wave->period_in_water() /
-               std::tanh(scene.wave->k() * scene.wave->depth);
+    if (scene.wave)  // of the water in its crest, over the stream
+        return scene.motion.speed + std::numbers::pi * scene.wave->height / scene.wave->period_in_water() /
+                                        std::tanh(scene.wave->k() * scene.wave->depth);
     if (scene.sea) {
         const WaveScales wave = wave_scales(scene);
         const double kd = 2 * std::numbers::pi / wave.length * scene.sea->depth();

@@ -14,7 +14,7 @@ namespace {
 
 std::string reason_of(const EffectQuestion& q, bool by_default) {
     const Scene& scene = q.scene;
-    if (scene.has_wave()) return "the wave is made in a zone at one end of the tank and absorbed in one at the other";
+    if (scene.has_wave()) return "the wave is made in a zone at one end and absorbed in one at the other";
     if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
     if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
     if (by_default && tailwater(scene)) return "the water behind is held at the depth of [domain] downstream";

@@ -71,10 +71,11 @@ Rows wave_keys() {
          .meaning = "Distance from crest to crest; length or period is given.", .later = true},
         {.name = "period", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::period), .fallback = "from the length",
-         .meaning = "Time between two crests at a place of the tank.", .later = true},
+         .meaning = "Time between two crests at a place of the tank; in a stream that in its water, between two crests "
+                    "that meet what drifts with it.", .later = true},
         {.name = "direction", .unit = "rad", .range = {-std::numbers::pi, std::numbers::pi}, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::direction), .fallback = "0 deg",
-         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x.", .later = true},
+         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x; in a stream 0, a head wave.", .later = true},
         {.name = "theory", .kind = Kind::choice, .choices = {"auto", "linear", "stream_function"},
          .hashed = Hashed::scene, .slot = slot(&Scene::wave_asked, &WaveOptions::theory),
          .meaning = "Velocities and surface of the wave: linear where that changes neither crest nor speed by more than "
@@ -207,7 +208,7 @@ Rows sampling_keys() {
                     "are sampled more often."},
         {.name = "mean_from", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::sampling, &Sampling::mean_from),
-         .fallback = "ramp + L/U or 8 pi U/g, the longer, and two heaves of a free hull; 5 sqrt(H/g) for a hull in still water; in a tank with a wave three of its periods, and with solids in it also the wave's way to the other zone; none in other tanks without a hull",
+         .fallback = "ramp + L/U or 8 pi U/g, the longer, and two heaves of a free hull; 5 sqrt(H/g) for a hull in still water; in a tank with a wave three of its periods, and with solids in it, or in a stream, also the wave's way to the other zone; none in other tanks without a hull",
          .meaning = "Settled means do not begin before this time; in a tank without a hull nor do the largest heights of "
                     "splash."},
         {.name = "snapshots", .unit = "s", .range = not_negative,

@@ -92,7 +92,9 @@ int finest_halvings(const Scene& scene) {
 
 std::vector<ForcingZone> grown_zones(const Scene& scene) {
     if (scene.motion.kind != Motion::Kind::stream) return {};
-    return forcing_zones(scene).zones;
+    std::vector<ForcingZone> zones = forcing_zones(scene).zones;
+    std::erase_if(zones, [](const ForcingZone& zone) { return zone.makes_wave; });
+    return zones;
 }
 
 double cells_along_zone(double width, double cell) {

@@ -23,8 +23,8 @@ inline constexpr double growth_in_zones = 1.2;
 ///
 ///   width = cell (q^n - 1) / (q - 1),   q = growth_in_zones
 double cells_along_zone(double width, double cell);
-/// The zones in which cells grow: those of a stream, which lie outside the box that was asked for. In a tank they lie
-/// inside, where bodies and solids may be.
+/// The zones in which cells grow: those of a stream, which lie outside the box that was asked for, but for one that
+/// makes a wave. In a tank they lie inside, where bodies and solids may be.
 std::vector<ForcingZone> grown_zones(const Scene& scene);
 
 /// At least so many cells of one size lie between two others (nCellsBetweenLevels).

@@ -257,9 +257,17 @@ void settle_sizes(Reading& r) {
 void settle_domain(Reading& r) {
     Scene& scene = r.scene;
     Sections& s = r.sections;
-    const auto make_domain = [&] { scene.domain = domain_of(r.domain, r.tank, scene, s, r.depth); };
-    if ((r.resolution.spacing || is_refined_unasked(scene)) && !scene.tank_motion &&
-        !s.numerics.at("sph").has("levels") && !s.effects.on_off("air").value_or(false))
+    const auto make_domain = [&] {
+        const auto of = [&] { return domain_of(r.domain, r.tank, scene, s, r.depth); };
+        scene.domain = of();
+        if (scene.motion.kind != Motion::Kind::stream || !s.wave.present() || !(scene.domain.as_asked.min.z() < 0))
+            return;
+        settle_wave(scene, s);  // its depth is the box's, and the zones outside the box follow from its length
+        scene.domain = of();
+    };
+    const bool unasked = is_refined_unasked(scene) && !s.wave.present();
+    if ((r.resolution.spacing || unasked) && !scene.tank_motion && !s.numerics.at("sph").has("levels") &&
+        !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
         make_domain();
@@ -276,7 +284,7 @@ void settle_domain(Reading& r) {
                       "z = 0, or [[water_block]]");
     check_places(scene, s);
     check_bodies(scene, s);
-    settle_wave(scene, s);
+    if (!scene.has_wave()) settle_wave(scene, s);
 }
 
 /// What ends the run. Once its hull and bodies are known, and before its duration is filled in.
@@ -285,8 +293,8 @@ void settle_end(Scene& scene, SceneSection& s) {
     const bool settles = loads_settle(scene);
     if (run.stop == "settled" && !settles)
         s.fail("stop",
-               "only the loads on a hull that is held in a stream settle; a free hull, bodies that move and tanks are "
-               "run to their end: remove this key, or write stop = \"duration\"");
+               "only the loads on a hull that is held in a stream settle; a free hull, bodies that move, waves and "
+               "tanks are run to their end: remove this key, or write stop = \"duration\"");
     if (run.stop == "auto") run.stop = settles && run.duration == 0 ? "settled" : "duration";
     if (run.stops_when_settled()) run.wave_period = start_up_period(scene);
 }

@@ -9,6 +9,7 @@
 #include "scene/box/tank_wave.h"
 #include "scene/empty_twin.h"
 #include "scene/read/read.h"
+#include "scene/refined_places.h"
 #include "scene/water/water_blocks.h"
 #include "waves/dispersion.h"
 #include "waves/steepness.h"
@@ -21,15 +22,44 @@ constexpr double largest_share = 0.9;  ///< of the highest wave
 constexpr double longest_depths = 60;  ///< of a wave length
 constexpr double fewest_sizes = 4;     ///< particles or cells in a wave's height
 constexpr double fewest_along = 20;    ///< in its length
+/// Of a stream over that of the wave: its inlet holds level and speed, and above this the zone that makes the wave no
+/// longer makes up for that (docs/decisions/088-waves.md).
+constexpr double fastest_stream_with_wave = 1.5;
+
+bool in_stream(const Scene& scene) { return scene.motion.kind == Motion::Kind::stream; }
+
+/// What this version does not make waves in, of streams.
+void refuse_streams(const Scene& scene, Sections& s) {
+    const SceneSection& wave = s.wave;
+    if (scene.wave_asked.spectrum != "regular")
+        wave.fail("spectrum",
+                  "a sum of waves in a stream is not made yet; expected a regular wave (remove this key), or "
+                  "a tank: [tank] with min and max, and no speed");
+    if (scene.hull_is_free())
+        s.hull.fail("free",
+                    "a free hull in a stream with waves is not made yet; expected a hull that is held: remove "
+                    "this key, or [wave]");
+    if (!scene.bodies.empty())
+        s.bodies[0].fail("name",
+                         "bodies in a stream with waves are not made yet; expected a hull that is held, "
+                         "obstacles, or a tank");
+    if (s.domain.has("downstream"))
+        s.domain.fail("downstream", "a wave runs in water of one depth; remove this key, or [wave]");
+    if (s.domain.has("sides") && scene.zones.sides == "open")
+        s.domain.fail("sides",
+                      "with [wave] the sides are walls, because zones there would take the wave away beside "
+                      "the hull; remove this key, or write \"walls\"");
+}
 
 /// What this version does not make waves in.
 void refuse_surroundings(const Scene& scene, Sections& s) {
     const SceneSection& wave = s.wave;
-    if (scene.motion.kind == Motion::Kind::stream)
+    if (in_stream(scene))
+        refuse_streams(scene, s);
+    else if (!s.tank.present())
         wave.fail("height",
-                  "a wave in a stream is not made yet; expected a tank: [tank] with min and max, and no speed");
-    if (!s.tank.present())
-        wave.fail("height", "a wave is made in a tank between walls; expected [tank] with min and max, z from -depth");
+                  "a wave is made in a tank between walls or in a stream; expected [tank] with min and max, z "
+                  "from -depth, or [motion] kind = \"stream\" with its speed");
     if (scene.tank_motion) s.tank.fail("law", "a tank that moves makes waves of its own; remove [wave], or the motion");
     if (!scene.water_blocks.empty())
         s.water_blocks[0].fail("min",
@@ -50,6 +80,10 @@ double direction_of(const Scene& scene, const SceneSection& wave) {
         wave.fail("direction", fmt::format("{:.4g} degrees: oblique waves are not made yet; expected 0 (towards +x) or "
                                            "\"180 deg\" (towards -x)",
                                            angle * 180 / std::numbers::pi));
+    if (in_stream(scene) && along < 0)
+        wave.fail("direction",
+                  "following waves are not made yet in a stream; expected head waves, which run with the "
+                  "stream against the hull: direction = 0, or remove this key");
     return along > 0 ? 1 : -1;
 }
 
@@ -99,6 +133,35 @@ void check_tank(const Scene& scene, Sections& s, const std::string& size) {
             fmt::format("the tank ends {:.4g} m above still water, and the wave's crest is at {:.4g} m; expected "
                         "a higher tank",
                         scene.domain.box.max.z(), wave.crest));
+}
+
+/// The stream is slow enough for the zone that makes the wave and fast enough for its inlet, and the box holds its
+/// crest.
+void check_stream(const Scene& scene, Sections& s, const std::string& size) {
+    const RegularWave& wave = *scene.wave;
+    const double U = scene.motion.speed, most = fastest_stream_with_wave * wave.speed_in_water;
+    if (U > most * (1 + 1e-9)) {
+        const double slower = U / fastest_stream_with_wave;  // deep water's length of that speed
+        s.wave.fail(size, fmt::format("the wave, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
+                                      "inlet, which holds level and speed, then spoils its height by a tenth: "
+                                      "expected a stream of at most {:.4g} m/s, {:g} times the wave's speed, or a "
+                                      "longer wave (in deep water of {:.3g} m)",
+                                      wave.length, wave.speed_in_water, U, most, fastest_stream_with_wave,
+                                      2 * std::numbers::pi * slower * slower / wave.gravity));
+    }
+    double u, w;  // under a trough
+    wave_velocity(wave.sum, std::numbers::pi / wave.k(), wave.trough, 0, u, w);
+    if (u < 0)
+        s.wave.fail("height",
+                    fmt::format("under its troughs the water moves at {:.4g} m/s against the stream of {:.4g} m/s, and "
+                                "would leave through the inlet; expected a stream of at least {:.4g} m/s, or a lower "
+                                "wave",
+                                U - u, U, U - u));
+    if (wave.crest > scene.domain.as_asked.max.z())
+        s.domain.fail(s.domain.has("above") ? "above" : "z",
+                      fmt::format("the box ends {:.4g} m above still water, and the wave's crest is at {:.4g} m; "
+                                  "expected a higher box",
+                                  scene.domain.as_asked.max.z(), wave.crest));
 }
 
 double required(const SceneSection& wave, const char* key, double value, const char* what, const char* example) {
@@ -232,6 +295,8 @@ void settle_wave(Scene& scene, Sections& s) {
     const std::string size = wave.has("length") ? "length" : "period";
     WaveOrder order{.height = asked.height, .depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
     order.direction = direction_of(scene, wave);
+    order.closed = !in_stream(scene);
+    order.stream = scene.motion.speed;
     if (asked.length > 0) order.length = asked.length;
     if (asked.period > 0) order.period = asked.period;
     if (asked.theory != "auto")
@@ -258,7 +323,7 @@ void settle_wave(Scene& scene, Sections& s) {
         wave.fail("height", fmt::format("{} (length about {:.4g} m, depth {:.4g} m); expected a lower wave", e.what(),
                                         length, order.depth));
     }
-    check_tank(scene, s, size);
+    in_stream(scene) ? check_stream(scene, s, size) : check_tank(scene, s, size);
 }
 
 void check_wave(const Scene& scene, Sections& s) {
@@ -276,7 +341,10 @@ void check_wave(const Scene& scene, Sections& s) {
             s.effects.fail(effect, "particles begin with it in water at rest only; switch it off, or remove [wave]");
     if (scene.sph.levels > 1)
         throw InputError(scene.place_of("sph.levels") +
-                         ": particles of several sizes do not begin with a wave; write levels = 1 in [sph]");
+                         ": particles of several sizes carry no wave yet; write levels = 1 in [sph]");
+    if (has_coarse_zones(scene))
+        throw InputError(scene.place_of("sph.zones") +
+                         ": a wave is not made by coarse particles; write zones = \"fine\" in [sph]");
     const double size = scene.resolution.near_hull;
     const auto given = [&](std::initializer_list<const char*> keys) {
         for (const char* key : keys)

@@ -22,6 +22,12 @@ struct Stream {
 
     double share_at(double x) const { return x > behind_from ? behind_share : 1; }
     double velocity(double t) const { return t >= ramp ? speed : speed * smooth(t / ramp); }
+    /// Made by the stream until t, over that which it would have made at full speed since half of the ramp [m].
+    double ahead_of_full_speed(double t) const {
+        if (t >= ramp) return 0;
+        const double q = t / ramp;
+        return speed * ramp * (q * q * q * (1 - q / 2) - (q - 0.5));
+    }
     double acceleration(double t) const { return t >= ramp ? 0 : speed * smooth_slope(t / ramp) / ramp; }
 
 private:

@@ -19,7 +19,7 @@ public:
     }
 
     void add_rates(const StepView& step) override {
-        if (o_.wave) return add_rates_towards<ForceTowardsWave>(step, *o_.wave);
+        if (o_.wave) return add_rates_towards<ForceTowardsWave>(step, in_stream(*o_.wave, step));
         if (o_.sea) return add_rates_towards<ForceTowardsSea>(step, wave_moment(*o_.sea, step.time));
         ForceInZones force{.p = step.p,
                            .kind = step.kind,
@@ -47,6 +47,15 @@ public:
     }
 
 private:
+    /// While the stream starts, the wave is carried by as much of it as there is: crests come to where they are after
+    /// the start as if it had had its speed always.
+    static WaveSum in_stream(WaveSum wave, const StepView& step) {
+        if (const auto& stream = step.around.stream) {
+            wave.current += stream->velocity(step.time) - stream->speed;
+            wave.phase -= wave.direction * wave.k * stream->ahead_of_full_speed(step.time);
+        }
+        return wave;
+    }
     template <class Loop, class Wave>
     void add_rates_towards(const StepView& step, const Wave& wave) {
         ForceTowards<Wave> force{.p = step.p,
@@ -56,6 +65,7 @@ private:
                                  .makes_wave = {},
                                  .count = static_cast<int>(o_.zones.size()),
                                  .time = step.time,
+                                 .stream = step.around.stream ? step.around.stream->velocity(step.time) : 0,
                                  .wave = wave};
         for (std::size_t k = 0; k < o_.zones.size(); ++k) {
             const ForcingZone& z = o_.zones[k];

@@ -45,7 +45,7 @@ struct ForceInZones {
     }
 };
 
-/// The same where some of the zones draw the water to a wave, the others to rest. `Wave`: a regular one, or a sum of
+/// The same where some of the zones draw the water to a wave, the others to the stream or to rest. `Wave`: a regular one, or a sum of
 /// linear ones at that time.
 template <class Wave>
 struct ForceTowards {
@@ -55,7 +55,8 @@ struct ForceTowards {
     ForceInZones::Zone zones[ForceInZones::most];
     bool makes_wave[ForceInZones::most];
     int count;
-    double time;  ///< [s]
+    double time;    ///< [s]
+    double stream;  ///< [m/s]
     Wave wave;
 
     void operator()(std::size_t i) const {
@@ -68,7 +69,7 @@ struct ForceTowards {
             if (s > 0 && here > by) by = here, to_wave = makes_wave[k];
         }
         if (by == 0) return;
-        double u = 0, w = 0;
+        double u = stream, w = 0;
         if (to_wave) velocity(wave, p.x[i], p.z[i], u, w);
         RateRecord& r = rate[i];
         r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - u));

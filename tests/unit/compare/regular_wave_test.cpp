@@ -100,6 +100,17 @@ TEST(RegularWaveMeasure, GivesHeightsAndReflectionOfARecord) {
     EXPECT_EQ(c.references.size(), 9);
 }
 
+TEST(RegularWaveMeasure, GivesNoReflectionInAStream) {
+    Comparison c;
+    c.sources = {tank(0.04, 0)};
+    c.sources[0].numbers["speed"] = 0.6;
+    c.names = {"sph"};
+    add_regular_wave(c);
+    EXPECT_TRUE(c.find("wave_height:b"));
+    EXPECT_TRUE(c.find("wave_loss"));
+    EXPECT_FALSE(c.find("wave_reflection"));
+}
+
 TEST(RegularWaveMeasure, GivesHowFarABodyHeavesAndPitches) {
     Comparison c;
     for (const double heave : {0.025, 0.024}) {

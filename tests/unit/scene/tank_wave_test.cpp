@@ -104,10 +104,9 @@ TEST(TankWave, RefusesWhatItCannotMake) {
     refused(tank() + "[[water_block]]\nmin = [-1, 0, -0.2]\nmax = [1, 0.01, 0]\n", "remove the blocks");
     refused(tank("height = 0.04\nlength = 1\n", "[[obstacle]]\nmin = [-1, 0, -0.1]\nmax = [-0.9, 0.01, 0.05]\n"),
             "stands in the zone");
-    refused(
-        "[motion]\nkind = \"stream\"\nspeed = 0.7\n[domain]\nx = [-2, 2.5]\ny = [0, 0.01]\nz = [-0.2, 0.1]\n"
-        "dimensions = 2\n[water]\ndepth = 0.2\n[resolution]\nnear_hull = 0.01\n[wave]\nheight = 0.04\nlength = 1\n",
-        "in a stream is not made yet");
+    refused(with(tank(), "[tank]\nmin = [-2, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\n",
+                 "[domain]\nx = [-2, 1.6]\ny = [0, 0.01]\nz = [-0.24, 0.12]\n"),
+            "in a tank between walls or in a stream");
 }
 
 TEST(TankWave, ArtificialViscosityTakesWhatTheTableSays) {

@@ -1,0 +1,93 @@
+// A head wave in a stream: what it is seen from the hull, where it is made and absorbed, and what is refused.
+#include <cmath>
+#include <numbers>
+
+#include "scene/box/forcing_zones.h"
+#include "scene/box/tank_wave.h"
+#include "scene/mesh/mesh_cells.h"
+#include "scene_text.h"
+#include "waves/dispersion.h"
+
+namespace tw::test {
+namespace stream_wave_test {
+
+using std::numbers::pi;
+
+std::string stream(const std::string& wave = "height = 0.06\nlength = 1\n", const std::string& more = "",
+                   double speed = 0.6) {
+    return "[motion]\nkind = \"stream\"\nspeed = " + std::to_string(speed) +
+           "\n[domain]\nx = [-1, 1]\ny = [0, 0.01]\nz = [-0.4, 0.15]\ndimensions = 2\n[water]\ndepth = 0.4\n[wave]\n" +
+           wave + "[resolution]\nnear_hull = 0.01\n" + more;
+}
+
+TEST(StreamWave, IsThatOfStillWaterCarriedByTheStream) {
+    const Scene s = scene_of(stream("height = 0.06\nlength = 1\ntheory = \"linear\"\n"));
+    ASSERT_TRUE(s.wave);
+    const double k = 2 * pi, omega = wave_frequency(k, s.water.gravity, 0.4);
+    EXPECT_NEAR(s.wave->encounter_frequency(), omega + 0.6 * k, 1e-9);
+    EXPECT_NEAR(wave_scales(s).period, 2 * pi / (omega + 0.6 * k), 1e-9);
+    EXPECT_NEAR(wave_scales(s).slowest, 0.6 + group_speed_ratio(k * 0.4) * omega / k, 1e-9);
+    EXPECT_NEAR(s.wave->sum.current, 0.6, 1e-12);  // in open water nothing takes back what the wave carries along
+    const Scene of_period = scene_of(stream("height = 0.06\nperiod = 0.8\n"));  // as one who drifts sees it
+    EXPECT_NEAR(of_period.wave->period_in_water(), 0.8, 1e-9);
+    EXPECT_LT(of_period.wave->encounter_period(), 0.6);
+}
+
+TEST(StreamWave, IsMadeAheadAndAbsorbedBehindOutsideTheBox) {
+    const Scene s = scene_of(stream());
+    const Box &all = s.domain.box, &open = s.domain.undamped;
+    EXPECT_NEAR(open.min.x(), -1, 1e-12);
+    EXPECT_NEAR(all.min.x(), -2.5, 1e-9);
+    EXPECT_NEAR(all.max.x(), 2, 1e-9);  // the stream's own wave, of 0.23 m, asks for less
+    const ForcingZones plan = forcing_zones(s);
+    ASSERT_EQ(plan.zones.size(), 2);
+    const double gamma = 1.5 * s.wave->encounter_frequency() / std::sqrt(std::tanh(s.wave->k() * 0.4));
+    EXPECT_TRUE(plan.zones[0].makes_wave);
+    EXPECT_NEAR(plan.zones[0].gamma, 1.5 * gamma, 1e-9);
+    EXPECT_FALSE(plan.zones[1].makes_wave);
+    EXPECT_NEAR(plan.zones[1].gamma, gamma, 1e-9);
+    EXPECT_EQ(plan.speed, 0.6);
+    EXPECT_FALSE(begins_with_wave(s));
+    ASSERT_EQ(grown_zones(s).size(), 1);  // where the wave is made cells keep their size
+    EXPECT_TRUE(grown_zones(s)[0].high);
+}
+
+TEST(StreamWave, IsAbsorbedAsGentlyAsTheStreamsOwnWavesNeed) {
+    // 1.2 m/s: a wave of about 1 m stands, for which the zone behind is 1.5 m wide; the wave of 0.7 m needs half of that
+    const Scene s = scene_of(stream("height = 0.06\nlength = 0.7\n", "", 1.2));
+    const ForcingZones plan = forcing_zones(s);
+    ASSERT_EQ(plan.zones.size(), 2);
+    const double width = plan.zones[1].end - plan.zones[1].begin,
+                 gamma = 1.5 * s.wave->encounter_frequency() / std::sqrt(std::tanh(s.wave->k() * 0.4));
+    EXPECT_GT(width, 0.7);
+    EXPECT_NEAR(plan.zones[1].gamma, gamma * 0.7 / width, 1e-9);
+}
+
+TEST(StreamWave, IsMeasuredOnceItHasPassed) {
+    const Scene s = scene_of(stream());
+    const WaveScales wave = wave_scales(s);
+    EXPECT_GE(s.sampling.mean_from, s.motion.ramp + 3 * wave.period + 3.5 / wave.slowest - 1e-9);
+    EXPECT_NEAR(s.run.duration - s.sampling.mean_from, 7 * wave.period, 1e-9);
+    EXPECT_LE(s.sampling.interval, wave.period / 25 + 1e-12);
+    EXPECT_EQ(s.fvm.max_courant, 0.15);
+}
+
+TEST(StreamWave, RefusesWhatItCannotMake) {
+    const auto refused = [](const std::string& text, const std::string& part) {
+        const std::string said = complaint(text);
+        EXPECT_NE(said.find(part), std::string::npos) << said;
+        EXPECT_NE(said.find("scene.toml:"), std::string::npos) << said;
+    };
+    refused(stream("height = 0.06\nlength = 1\ndirection = \"180 deg\"\n"), "following waves are not made yet");
+    refused(stream("height = 0.06\nlength = 1\ndirection = \"30 deg\"\n"), "oblique waves are not made yet");
+    refused(stream("spectrum = \"jonswap\"\nsignificant_height = 0.06\npeak_period = 0.8\n"),
+            "a sum of waves in a stream is not made yet");
+    refused(stream("height = 0.06\nlength = 1\n", "", 2.5), "expected a stream of at most");
+    refused(stream("height = 0.06\nlength = 1\n", "", 0.1), "would leave through the inlet");
+    refused(stream("height = 0.12\nlength = 1\n", "") + "[effects]\nforcing_zones = \"off\"\n", "made and absorbed");
+    refused(stream("height = 0.02\nlength = 1\n"), "near_hull at most");
+    refused(with(stream(), "depth = 0.4", "depth = 0.4\n[sph]\nlevels = 2"), "levels");
+}
+
+}  // namespace stream_wave_test
+}  // namespace tw::test
