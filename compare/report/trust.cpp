@@ -53,9 +53,7 @@ std::string how_far(const Quantity& q, const Miss& miss) {
 
 /// "the walls of the box (...) are expected to raise the lift by 12 %", without what a wider box would leave, or what
 /// was measured in one.
-std::string walls_of(const Comparison& c) {
-    return c.walls.substr(0, c.walls.find(';'));
-}
+std::string walls_of(const Comparison& c) { return c.walls.substr(0, c.walls.find(';')); }
 
 /// "at the wetted lengths that the runs find it gives 2430 and 2500 N of lift".
 std::string at_own_wetted_length(const Comparison& c) {

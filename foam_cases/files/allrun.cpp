@@ -71,8 +71,9 @@ compression correction.
                   : "Slip on all solids: the counterpart of an SPH run without physical viscosity.\n",
         p.scene->hull && p.scene->hull->half ? "Half model: multiply fx, fz and my by two.\n" : "",
         p.scene->hull && p.scene->hull->half ? " (half model)" : "",
-        begins_with_wave(*p.scene) ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
-                      : "");
+        begins_with_wave(*p.scene)
+            ? "twinwake starts this case with the wave in the tank; ./Allrun starts it with still water.\n"
+            : "");
 }
 
 }  // namespace tw

@@ -20,7 +20,8 @@ namespace tw {
 /// first line; where it means both there is nothing to estimate.
 struct WallEffect {
     double change = 0;  ///< relative [-]
-    std::string of;  ///< "lift", "resistance"; empty: no formula holds (a tank, a depth Froude number of 0.9 and more), or all is meant
+    std::string
+        of;  ///< "lift", "resistance"; empty: no formula holds (a tank, a depth Froude number of 0.9 and more), or all is meant
 };
 WallEffect wall_effect(const Scene& scene);
 

@@ -50,42 +50,41 @@ void settle_forcing_zones(Scene& scene, bool on) {
 }  // namespace
 
 EffectPart forcing_zones() {
-    return {
-        .name = "forcing_zones",
-        .older = "damping_layers",
-        .meaning =
-            "Zones along the outer faces that draw the water to the undisturbed flow and so absorb waves; in a "
-            "stream outside the box, in a tank inside.",
-        .needs = "gravity",
-        .plan = plan_forcing_zones,
-        .settle = settle_forcing_zones,
-        .keys = {{.section = "domain",
-                  .name = "downstream",
-                  .unit = "m",
-                  .range = positive,
-                  .hashed = SceneKey::Hashed::scene,
-                  .slot = slot(&Scene::zones, &ZoneOptions::downstream),
-                  .fallback = "as ahead",
-                  .meaning = "Depth of the water where a stream without a hull leaves, behind a weir, a gate or a "
-                             "jump; its speed there is that with which as much leaves as enters.",
-                  .later = true},
-                 {.section = "tank",
-                  .name = "absorbing",
-                  .kind = SceneKey::Kind::choice,
-                  .choices = {"all", "x", "y", "x_min", "x_max", "y_min", "y_max"},
-                  .hashed = SceneKey::Hashed::scene,
-                  .slot = slot(&Scene::zones, &ZoneOptions::absorbing),
-                  .meaning = "Which walls of a tank have a zone inside that absorbs waves.",
-                  .later = true},
-                 {.section = "tank",
-                  .name = "wave_length",
-                  .unit = "m",
-                  .range = positive,
-                  .hashed = SceneKey::Hashed::scene,
-                  .slot = slot(&Scene::zones, &ZoneOptions::wave_length),
-                  .fallback = "of the body that oscillates most slowly, else an eighth of the tank",
-                  .meaning = "Length of the waves that the zones of a tank absorb, and their width.",
-                  .later = true}}};
+    return {.name = "forcing_zones",
+            .older = "damping_layers",
+            .meaning =
+                "Zones along the outer faces that draw the water to the undisturbed flow and so absorb waves; in a "
+                "stream outside the box, in a tank inside.",
+            .needs = "gravity",
+            .plan = plan_forcing_zones,
+            .settle = settle_forcing_zones,
+            .keys = {{.section = "domain",
+                      .name = "downstream",
+                      .unit = "m",
+                      .range = positive,
+                      .hashed = SceneKey::Hashed::scene,
+                      .slot = slot(&Scene::zones, &ZoneOptions::downstream),
+                      .fallback = "as ahead",
+                      .meaning = "Depth of the water where a stream without a hull leaves, behind a weir, a gate or a "
+                                 "jump; its speed there is that with which as much leaves as enters.",
+                      .later = true},
+                     {.section = "tank",
+                      .name = "absorbing",
+                      .kind = SceneKey::Kind::choice,
+                      .choices = {"all", "x", "y", "x_min", "x_max", "y_min", "y_max"},
+                      .hashed = SceneKey::Hashed::scene,
+                      .slot = slot(&Scene::zones, &ZoneOptions::absorbing),
+                      .meaning = "Which walls of a tank have a zone inside that absorbs waves.",
+                      .later = true},
+                     {.section = "tank",
+                      .name = "wave_length",
+                      .unit = "m",
+                      .range = positive,
+                      .hashed = SceneKey::Hashed::scene,
+                      .slot = slot(&Scene::zones, &ZoneOptions::wave_length),
+                      .fallback = "of the body that oscillates most slowly, else an eighth of the tank",
+                      .meaning = "Length of the waves that the zones of a tank absorb, and their width.",
+                      .later = true}}};
 }
 
 }  // namespace tw::effect_parts

@@ -21,9 +21,9 @@ TEST(Studies, EveryReadySceneIsSound) {
             EXPECT_GT(s.run.duration, s.sampling.mean_from) << entry.path();
         }) << entry.path();
     }
-    for (const char* name : {"demo", "planing_prism", "planing_plate", "planing_plate_thin", "seaplane_30",
-                             "seaplane_80", "seaplane_80_paper", "still_tank", "empty_channel", "dam_break_2d", "cup",
-                             "spheric02"})
+    for (const char* name :
+         {"demo", "planing_prism", "planing_plate", "planing_plate_thin", "seaplane_30", "seaplane_80",
+          "seaplane_80_paper", "still_tank", "empty_channel", "dam_break_2d", "cup", "spheric02"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
