@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(
             "bad.toml:9:9: [motion] speed = 0: out of range; expected greater than 0 m/s and at most 1000 m/s (for "
             "still water write kind = \"none\")\n"},
         BadScene{"near_hull = \"0.1 m\"", "near_hull = \"1 mm\"",
-                 "bad.toml:11:13: [resolution] near_hull = \"1 mm\": too fine for this machine: 2.2"},
+                 "bad.toml:11:13: [resolution] near_hull = \"1 mm\": too fine for this machine: 2.6"},
         BadScene{"shape = \"prismatic\"", "file  = \"gone.stl\"",
                  "bad.toml:3:9: [hull] file = \"gone.stl\": there is no file gone.stl\n"},
         BadScene{"shape = \"prismatic\"", "shape = \"prismatik\"",

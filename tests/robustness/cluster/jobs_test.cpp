@@ -86,7 +86,7 @@ TEST_F(Command, JobsThatAreInterruptedSaveAndTheSameCommandGoesOnToTheSameBits) 
 
 TEST_F(Command, ABudgetHoldsForJobsByWhatIsPredicted) {
     write("column.toml", small_column);
-    const Outcome o = twinwake(ladder_of("column.toml", "out", {"--jobs", "2", "--budget", "0.03 s"}));
+    const Outcome o = twinwake(ladder_of("column.toml", "out", {"--jobs", "2", "--budget", "0.25 s"}));
     ASSERT_EQ(o.status, 0) << o.err;
     EXPECT_TRUE(has(o.out, "SPH at 0.03 m: left out, ")) << o.out;
     EXPECT_FALSE(fs::exists(folder_ / "out/near_hull_30mm"));
