@@ -248,6 +248,8 @@ def row(study, shown, runs, pictures, page, open_run):
     unfinished = [methods.get(s["name"], s["name"]) for s in report["sources"] if s["state"] != "finished"]
     if unfinished:
         lines.append(f"not finished: {', '.join(unfinished)}")
+    if checks := sorted({gate["name"] for gate in report["gates"] if not gate["pass"] and not gate["warns"]}):
+        lines.append(f"checks not met at this size: {', '.join(checks)}")
     if "note" in shown:
         lines.append(shown["note"])
     return (f"| `{study.stem}` | {title_of(study)} | ![{study.stem}]({picture.relative_to(page.parent).as_posix()}) | "

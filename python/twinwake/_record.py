@@ -9,8 +9,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Tuple, Union
 
-import h5py
-import numpy as np
+try:
+    import h5py
+    import numpy as np
+except ImportError as e:
+    raise ImportError(f"twinwake reads records with h5py and numpy, and {e.name} is not installed for this Python; "
+                      "install it, e.g. apt install python3-h5py python3-numpy") from e
 
 from ._body import Body
 from ._errors import TwinwakeError
