@@ -12,12 +12,13 @@ CASES is a TOML file:
     goal      = 6                                # per cent; may be left out
     length    = "b"                              # what `over` is
     over      = 0.2286                           # [m]: sizes are written as b/14.1
-    folders   = ["/work/runs/demo14"]            # all finished records below them count, wider boxes left out
+    folders   = ["runs/demo"]                    # all finished records below them count, wider boxes left out
 
 For every three neighbouring sizes of a method `twinwake compare --ladder` says how far the finest value may be off
 (scatter of its mean and discretisation error, 95 %; not what the box adds). Its price is the processor time of the three
 runs, everything counted. The interval is given in per cent of the method's value at its finest size. With --into the
-sections replace what is in PAGE between `<!-- cost: NAME -->` and `<!-- /cost -->`. Needs Python 3.11 and h5py. Exit status: 0; 2: wrong usage.
+sections replace what is in PAGE between `<!-- cost: NAME -->` and `<!-- /cost -->`. Needs Python 3.11 and h5py. Exit
+status: 0; 2: wrong usage.
 """
 import argparse
 import html
@@ -34,9 +35,10 @@ import tomllib
 checkout = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(checkout / "python"))
 import twinwake  # noqa: E402
+from run_pages import is_member_of_another_kind, methods, put_between  # noqa: E402
 
 least_slope = 0.1  # of a line that is worth drawing on
-names, colours = {"sph": "SPH", "fvm": "interFoam"}, {"sph": "#0072b2", "fvm": "#d55e00"}
+colours = {"sph": "#0072b2", "fvm": "#d55e00"}
 
 
 def runs_of(case):
@@ -44,7 +46,7 @@ def runs_of(case):
     found = {}
     for folder in case["folders"]:
         for path in sorted(pathlib.Path(folder).rglob("record.h5")):
-            if any(part.startswith("box_") or part.endswith(("_low", "_high")) for part in path.parts):
+            if is_member_of_another_kind(path):
                 continue
             with twinwake.Record(path, verify=False) as record:
                 if record.state != "finished":
@@ -101,7 +103,7 @@ def table(points, case):
             sizes = ", ".join(size_text(s, case) for s in p["sizes"])
             told = ("no interval", "–", "–") if p["per_cent"] is None else (
                 f"{p['value']:.4g} {p['unit']}", f"{p['half_width']:.2g} {p['unit']}", f"{p['per_cent']:.2g} %")
-            lines.append(f"| {names.get(method, method)} | {sizes} | {p['seconds']:.3g} | " + " | ".join(told) + " |")
+            lines.append(f"| {methods.get(method, method)} | {sizes} | {p['seconds']:.3g} | " + " | ".join(told) + " |")
     return lines
 
 
@@ -119,7 +121,7 @@ def halving(points):
             continue
         t, u = (sum(c) / len(known) for c in zip(*known))
         slope = sum((a - t) * (b - u) for a, b in known) / sum((a - t) ** 2 for a, b in known)
-        name = names.get(method, method)
+        name = methods.get(method, method)
         if slope > -least_slope:
             lines.append(f"- {name}: more time has hardly narrowed the interval (power {-slope:.2f} of the time).")
         else:
@@ -172,7 +174,7 @@ def figure(points, case):
         out.append(f'<polyline fill="none" stroke="{colour}" points="' +
                    " ".join(f"{x(a):.1f},{y(b):.1f}" for a, b in of) + '"/>')
         out += [f'<circle cx="{x(a):.1f}" cy="{y(b):.1f}" r="4" fill="{colour}"/>' for a, b in of]
-        out.append(f'<text x="{wide - 14}" y="{top + 14 + 15 * row}" text-anchor="end" fill="{colour}">{names[method]}</text>')
+        out.append(f'<text x="{wide - 14}" y="{top + 14 + 15 * row}" text-anchor="end" fill="{colour}">{methods[method]}</text>')
     return "\n".join(out) + "\n</svg>\n"
 
 
@@ -200,15 +202,10 @@ def main():
         cases = tomllib.load(file)["case"]
     for case in cases:
         text = section(given.twinwake.resolve(), case, given.pictures, given.into)
-        if not given.into:
+        if given.into:
+            put_between(given.into, f"<!-- cost: {case['name']} -->", "<!-- /cost -->", text)
+        else:
             print(f"## {case['title']}\n\n{text}")
-            continue
-        page = given.into.read_text(encoding="utf-8")
-        begin, end = f"<!-- cost: {case['name']} -->\n", "<!-- /cost -->"
-        if begin not in page:
-            sys.exit(f"{given.into}: expected the line {begin.strip()}")
-        head, tail = page.split(begin, 1)
-        given.into.write_text(head + begin + text + end + tail.split(end, 1)[1], encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -20,8 +20,9 @@ import subprocess
 import sys
 import tomllib
 
+from run_pages import methods
+
 checkout = pathlib.Path(__file__).resolve().parent.parent
-methods = {"sph": "SPH", "fvm": "interFoam"}
 
 
 class Missing(Exception):
@@ -288,12 +289,12 @@ def main():
     made = sum("](gallery/" in r for r in rows)
     text = f"""# Gallery of the ready studies
 
-Made by `tools/gallery.py RUNS` from runs of {made} of the {len(studies)} studies, each by the command in its row, on one
-core; many are coarser than the scene's own size, which the command then says. The time is that of the processor. Each
-picture is a cut through the middle of the water at one moment of the run, or the water's surface round a hull from
-astern at its end. ± is the 95 % interval of the report: of a run at one size the scatter of the mean alone, not what the
-size is worth. What was measured, or is known exactly, stands beside the values. The pages linked in
-[studies](../studies/README.md) judge finer runs.
+Made by `tools/gallery.py RUNS` from runs of {made} of the {len(studies)} studies, each by the command in its row; many
+are coarser than the scene's own size, which the command then says. The time is that of the processor. Each picture is a
+cut through the middle of the water at one moment of the run, or the water's surface round a hull from astern at its end.
+± is the 95 % interval of the report: of a run at one size the scatter of the mean alone, not what the size is worth.
+What was measured, or is known exactly, stands beside the values. The pages linked in [studies](../studies/README.md)
+judge finer runs.
 
 | study | title | picture | time, size, command | results |
 |---|---|---|---|---|

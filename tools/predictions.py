@@ -25,8 +25,8 @@ import tempfile
 checkout = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(checkout / "python"))
 import twinwake  # noqa: E402
+from run_pages import is_member_of_another_kind, methods, put_between  # noqa: E402
 
-names = {"sph": "SPH", "fvm": "interFoam"}
 within = 1.3
 
 
@@ -42,11 +42,6 @@ def predicted_now(program, record, folder):
         return json.loads(ended.stdout)["predicted"][record.method]["core_seconds"]
     except (json.JSONDecodeError, KeyError):
         return None
-
-
-def only_sizes_differ(path):
-    """Whether no folder of a member with another box or another number lies above the record."""
-    return not any(part.startswith("box_") or part.endswith(("_low", "_high")) for part in path.parts)
 
 
 def told(ratios):
@@ -91,7 +86,7 @@ def main():
                     continue
                 if record.cost.cpu < given.least:
                     continue
-                now = predicted_now(given.twinwake.resolve(), record, folder) if only_sizes_differ(path) else None
+                now = None if is_member_of_another_kind(path) else predicted_now(given.twinwake.resolve(), record, folder)
                 case = pathlib.Path(record.attributes.get("scene_file", "?")).stem
                 groups[case, record.method].append({"spent": record.cost.cpu, "said": said, "now": now})
                 machines.add(record.attributes.get("machine", "unknown"))
@@ -102,21 +97,16 @@ def main():
              f"{given.least:g} s of processor time:", "",
              "| scene | method | runs | spent [s] | said / spent: median | from, to | now / spent: median | from, to |",
              "|---|---|---|---|---|---|---|---|"]
-    lines += [row(case, names.get(method, method), runs) for (case, method), runs in sorted(groups.items())]
+    lines += [row(case, methods.get(method, method), runs) for (case, method), runs in sorted(groups.items())]
     lines.append("")
     for method in sorted({m for _, m in groups}, reverse=True):
         runs = [r for (_, m), of in groups.items() if m == method for r in of]
-        lines.append(f"- {names.get(method, method)}: said {sentence(runs, 'said')}, now {sentence(runs, 'now')}.")
+        lines.append(f"- {methods.get(method, method)}: said {sentence(runs, 'said')}, now {sentence(runs, 'now')}.")
     text = "\n".join(lines) + "\n"
-    if not given.into:
+    if given.into:
+        put_between(given.into, f"<!-- {given.mark} -->", f"<!-- /{given.mark} -->", text)
+    else:
         print(text, end="")
-        return
-    page = given.into.read_text(encoding="utf-8")
-    begin, end = f"<!-- {given.mark} -->\n", f"<!-- /{given.mark} -->"
-    if begin not in page or end not in page:
-        sys.exit(f"{given.into}: expected the lines {begin.strip()} and {end}")
-    head, tail = page.split(begin, 1)
-    given.into.write_text(head + begin + text + end + tail.split(end, 1)[1], encoding="utf-8")
 
 
 if __name__ == "__main__":
