@@ -7,26 +7,18 @@
 // step sends; and, timed, a step with so many threads a rank (1), and the share that a rank's own sums of the loads
 // have of it. docs/decisions/067-ranks.md has the tables.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 #include "scene/scene.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/parallel/comm.h"
+#include "sph_solver/phase_timer.h"
 #include "sph_solver/scene_setup.h"
 
 using namespace tw;
 
 namespace {
-
-double wall_clock() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Of this process, all threads together [s].
-double processor_clock() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Of the particles of one size.
 void count_size(const Comm& ranks, const Level& level) {
@@ -51,10 +43,10 @@ void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
 
     const Comm::Traffic before = ranks.traffic();
     const std::int64_t lists_before = simulation.timers().rebuilds;
-    const double start = wall_clock(), processor_start = processor_clock();
+    const double start = wall_now(), processor_start = cpu_now();
     for (int k = 0; k < steps; ++k) simulation.step();
-    const double step = (wall_clock() - start) / steps;
-    const double processor = ranks.sum(processor_clock() - processor_start) / steps;
+    const double step = (wall_now() - start) / steps;
+    const double processor = ranks.sum(cpu_now() - processor_start) / steps;
     const Comm::Traffic& after = ranks.traffic();
     const auto most_a_step = [&](std::int64_t Comm::Traffic::*what) {
         return ranks.largest(double(after.*what - before.*what)) / steps;
@@ -64,9 +56,9 @@ void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
                  collectives = most_a_step(&Comm::Traffic::collectives);
 
     constexpr int repeats = 100;
-    const double sums_start = wall_clock();
+    const double sums_start = wall_now();
     for (int k = 0; k < repeats; ++k) simulation.finest().gather_loads(setup.simulation.moment_reference);
-    const double sums = (wall_clock() - sums_start) / repeats;
+    const double sums = (wall_now() - sums_start) / repeats;
     for (const auto& level : simulation.water()) count_size(ranks, *level);
     if (!ranks.first()) return;
     std::printf("lists made every %.1f steps of the largest size\n",

@@ -6,7 +6,6 @@
 // recorded, and lists are made anew, at each sampling interval of the scene, as in a run; pictures, checkpoints and
 // files are left out.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -16,15 +15,12 @@
 #include "scene/scene.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/measure/recorder.h"
+#include "sph_solver/phase_timer.h"
 #include "sph_solver/scene_setup.h"
 
 using namespace tw;
 
 namespace {
-
-double wall_clock() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A part of the steps, and what it took until they were timed [s].
 struct Part {
@@ -35,23 +31,23 @@ struct Part {
 
 void measure(const Scene& scene, int steps, int threads) {
     const Threads own(threads);
-    const double start = wall_clock();
+    const double start = wall_now();
     const SphSetup setup = sph_setup(scene, threads);
     Simulation simulation(setup.simulation, setup.fluid);
     if (setup.control_volume) simulation.set_control_volume(*setup.control_volume);
     Recorder recorder(scene, simulation, new_record(scene, "sph"));
-    const double set_up = wall_clock() - start;
+    const double set_up = wall_now() - start;
 
     double next_frame = scene.sampling.interval, stepping = 0, measuring = 0;
     const auto make_steps = [&](int n) {
         for (int k = 0; k < n; ++k) {
-            const double before = wall_clock();
+            const double before = wall_now();
             simulation.step();
-            const double between = wall_clock();
+            const double between = wall_now();
             const bool frame = simulation.time() >= next_frame;
             recorder.after_step(simulation, frame);
             if (frame) simulation.mark_restart_point(), next_frame += scene.sampling.interval;
-            stepping += between - before, measuring += wall_clock() - between;
+            stepping += between - before, measuring += wall_now() - between;
         }
     };
     const auto taken = [&](double Timers::*what) {

@@ -1,6 +1,5 @@
 #include "sph_solver/bench.h"
 
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <random>
@@ -8,13 +7,12 @@
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/threads.h"
 #include "sph_solver/on_gpu.h"
+#include "sph_solver/phase_timer.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
 
 namespace {
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per
 /// thread.
@@ -22,7 +20,7 @@ double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
     constexpr int n = 400, repeats = 4000;
     double best = 0;
     for (int trial = 0; trial < 3; ++trial) {
-        const double start = now();
+        const double start = wall_now();
         on_each_of(threads, [&] {
             std::vector<PlaceRecord> place(n);
             std::vector<VelocityDensityRecord> motion(n, VelocityDensityRecord{0, 0, 0, 0});
@@ -49,7 +47,7 @@ double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
                 passes.run(second, &g, 1);
             }
         });
-        best = std::max(best, double(threads) * repeats * n * passes.lanes / (now() - start));
+        best = std::max(best, double(threads) * repeats * n * passes.lanes / (wall_now() - start));
     }
     return best;
 }
@@ -74,10 +72,10 @@ BenchResult run_block(std::int64_t particles, double h_over_dp, int threads, dou
 
     const Timers before = simulation.timers();
     const std::int64_t first = simulation.steps();
-    const double start = now();
+    const double start = wall_now();
     const std::clock_t processor = std::clock();
-    while (now() - start < seconds || simulation.steps() - first < 4) simulation.step();
-    const double wall = now() - start, of_processor = double(std::clock() - processor) / CLOCKS_PER_SEC;
+    while (wall_now() - start < seconds || simulation.steps() - first < 4) simulation.step();
+    const double wall = wall_now() - start, of_processor = double(std::clock() - processor) / CLOCKS_PER_SEC;
     const Timers& t = simulation.timers();
 
     BenchResult r;
