@@ -104,8 +104,7 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
         if (!std::isfinite(height))
             height = number_of(r, "wave_height", NAN), length = number_of(r, "wave_length", NAN);
         for (const auto& [name, table] : r.tables)
-            if (name.starts_with("body_") && table.find("z") && table.find("q0") && table.find("qy"))
-                names.insert(name.substr(5));
+            if (name.starts_with("body_")) names.insert(name.substr(5));
     }
     if (!(height > 0) || !(length > 0)) return;
     const Amplitudes asked(static_cast<std::size_t>(periods.count), height / 2);

@@ -16,12 +16,12 @@ namespace tw {
 /// from 1 to 3.2 B), mean of both methods; each of them lies within 2 % of the lift from it for s of 1.5 B and more, and at
 /// half the draft it is a third too large (docs/results/planing_prism.md). Second line: the blockage correction of the
 /// speed after Schuster, as in ITTC 7.5-02-02-01, without its wave term, twice because resistance goes with the square of
-/// the speed; m estimates the blockage by the midship section. Walls that the scene means, a bed and the sides of a channel, have no part in the
-/// first line; where it means both there is nothing to estimate.
+/// the speed; m estimates the blockage by the midship section. Walls that the scene means, a bed and the sides of a
+/// channel, have no part in the first line; where it means both there is nothing to estimate.
 struct WallEffect {
     double change = 0;  ///< relative [-]
-    std::string
-        of;  ///< "lift", "resistance"; empty: no formula holds (a tank, a depth Froude number of 0.9 and more), or all is meant
+    /// "lift", "resistance"; empty: no formula holds (a tank, a depth Froude number of 0.9 and more), or all is meant.
+    std::string of;
 };
 WallEffect wall_effect(const Scene& scene);
 
