@@ -23,7 +23,7 @@ namespace {
 /// Of the particles of one size.
 void count_size(const Comm& ranks, const Level& level) {
     std::int64_t pairs = 0;
-    for (const Group& g : level.groups()) pairs += g.size * level.live_pairs(g);
+    for (const Cluster& g : level.clusters()) pairs += g.size * level.live_pairs(g);
     const double most_pairs = ranks.largest(double(pairs)), all_pairs = double(ranks.sum(pairs));
     const auto copies = static_cast<std::int64_t>(level.copies());
     const double most_copies = ranks.largest(double(copies)), all_copies = double(ranks.sum(copies));

@@ -14,7 +14,7 @@ namespace tw {
 
 namespace {
 
-/// Candidate pairs per second of gradient + force pass on one group and 400 neighbours, all in the first cache, per
+/// Candidate pairs per second of gradient + force pass on one cluster and 400 neighbours, all in the first cache, per
 /// thread.
 double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
     constexpr int n = 400, repeats = 4000;
@@ -35,7 +35,7 @@ double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
             WaterView water = like;
             water.place = place.data(), water.motion = motion.data(), water.stress = stress.data();
             water.surface = surface.data();
-            Group g;
+            Cluster g;
             g.size = passes.lanes, g.list = {0, 0, static_cast<std::int32_t>(list.size())};
             NeighbourBlock* const chunk = list.data();
             water.list = {&chunk};

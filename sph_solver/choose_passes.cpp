@@ -52,12 +52,12 @@ public:
         const double support = kernel.support();
         const Source source{&grid, place_.data(), &start, 0}, walls{&grid, wall_place_.data(), &wall_start, 0};
         const auto within = [&](double skin) { return Reaches{support + skin, support, support - skin}; };
-        make_groups(source, passes.lanes, groups_);
-        lists_.build(passes, fixed_point, source, groups_, {source}, within(ListLife::skin_over_dp * dp));
-        wall_lists_.build(passes, fixed_point, source, groups_, {walls}, within(ListLife::wall_skin_over_dp * dp),
-                          &Group::wall_list);
+        make_clusters(source, passes.lanes, clusters_);
+        lists_.build(passes, fixed_point, source, clusters_, {source}, within(ListLife::skin_over_dp * dp));
+        wall_lists_.build(passes, fixed_point, source, clusters_, {walls}, within(ListLife::wall_skin_over_dp * dp),
+                          &Cluster::wall_list);
         const auto end = static_cast<std::int32_t>(wall_place_.size());
-        wall_load_.resize(static_cast<std::size_t>(number_wall_loads(groups_, wall_lists_.view(), {end})));
+        wall_load_.resize(static_cast<std::size_t>(number_wall_loads(clusters_, wall_lists_.view(), {end})));
         first_ = {.water = {.list = lists_.view(),
                             .place = place_.data(),
                             .motion = motion_.data(),
@@ -84,7 +84,7 @@ public:
         prune_ = {
             .lists = lists_.view(), .of = place_.data(), .place = place_.data(), .reach = support / fixed_point.size};
         prune_walls_ = {.lists = wall_lists_.view(),
-                        .list = &Group::wall_list,
+                        .list = &Cluster::wall_list,
                         .of = place_.data(),
                         .place = wall_place_.data(),
                         .reach = support / fixed_point.size};
@@ -92,11 +92,11 @@ public:
     /// One evaluation of all particles [s].
     double time() {
         const auto start = std::chrono::steady_clock::now();
-        const int count = static_cast<int>(groups_.size());
-        passes_.run(prune_, groups_.data(), count);
-        passes_.run(prune_walls_, groups_.data(), count);
-        passes_.run(first_, groups_.data(), count);
-        passes_.run(second_, groups_.data(), count);
+        const int count = static_cast<int>(clusters_.size());
+        passes_.run(prune_, clusters_.data(), count);
+        passes_.run(prune_walls_, clusters_.data(), count);
+        passes_.run(first_, clusters_.data(), count);
+        passes_.run(second_, clusters_.data(), count);
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     double particles() const { return double(place_.size()); }
@@ -126,7 +126,7 @@ private:
     std::vector<float> wall_p_;
     std::vector<WallLoad> wall_load_;
     std::vector<std::uint32_t> surface_;
-    std::vector<Group> groups_;
+    std::vector<Cluster> clusters_;
     NeighbourLists lists_, wall_lists_;
     FirstPairLoopData first_;
     SecondPairLoopData second_;

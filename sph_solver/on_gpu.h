@@ -30,13 +30,13 @@ std::string gpu_peaks_in_words();
 
 /// Whether a scene's `[run] device` and this machine say that a GPU makes the steps. "auto" says so where there is one
 /// with memory for the particles that are predicted. Throws InputError with the reason where one is asked for by "gpu"
-/// and is not here. `sizes`: what predict_sizes says of the scene, where it is known. Of several ranks that of this one:
-/// it may be another elsewhere.
+/// and is not here. `sizes`: what predict_sizes says of the scene, where it is known. Of several ranks that of this
+/// one: it may be another elsewhere.
 bool gpu_wanted(const Scene& scene, const Prediction* sizes = nullptr);
 /// A line of the GPU that will make a scene's steps, or that "auto" leaves alone for its memory; empty: there is none,
 /// or none was asked for. Throws as `gpu_wanted`.
 std::string gpu_line(const Scene& scene, const Prediction* sizes = nullptr);
-/// What the host beside a GPU makes lists and samples with: groups have eight particles there.
+/// What the host beside a GPU makes lists and samples with: clusters have eight particles there.
 const Passes& passes_beside_gpu();
 /// What keeps a simulation from the GPU here: too little of its memory is free; empty: nothing. It opens the GPU. Of
 /// several ranks this one's.

@@ -31,11 +31,11 @@ ColumnsOfSize columns_of(const Level& level, int finer, int steps) {
     const auto column = [&](std::size_t i) {
         return static_cast<std::size_t>(level.grid().of(fixed_point.wide({p.x[i], p.y[i], p.z[i]})));
     };
-    for (const Group& g : level.groups()) {
+    for (const Cluster& g : level.clusters()) {
         const std::size_t c = column(static_cast<std::size_t>(g.first));
         work[c] += g.size * (1 + level.live_pairs(g)), particles[c] += g.size;
     }
-    if (level.groups().empty()) {
+    if (level.clusters().empty()) {
         for (std::size_t i = 0; i < p.size(); ++i) ++particles[column(i)];
         work = particles;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// The loops that the threads of one machine share: what the engine does in parallel to particles, groups, pairs or
+// The loops that the threads of one machine share: what the engine does in parallel to particles, clusters, pairs or
 // pieces of work goes through one of these, except the evening out of the first packing (even_packing.cpp). Serial
 // loops over particles (set-up, files, copies) are written out where they are needed. A device has loops of its own
 // (device_loops.h); an effect reaches both through StepView.
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 
 namespace tw {
 
@@ -22,11 +22,11 @@ void for_particles(std::size_t n, const Body& body) {
     for (std::size_t i = 0; i < n; ++i) body(i);
 }
 
-/// Calls `body(group)` for every group; for work that is uneven from group to group.
+/// Calls `body(cluster)` for every cluster; for work that is uneven from cluster to cluster.
 template <class Body>
-void for_groups(const std::vector<Group>& groups, const Body& body) {
+void for_clusters(const std::vector<Cluster>& clusters, const Body& body) {
 #pragma omp parallel for schedule(dynamic, 16)
-    for (std::size_t k = 0; k < groups.size(); ++k) body(groups[k]);
+    for (std::size_t k = 0; k < clusters.size(); ++k) body(clusters[k]);
 }
 
 /// Calls `body(k)` for every k < n; for few, long and uneven pieces of work.
@@ -54,14 +54,14 @@ void on_each_of(int threads, const Body& body) {
     body();
 }
 
-/// Runs a pair loop over the neighbours of all groups: the one that reads and writes `View`.
+/// Runs a pair loop over the neighbours of all clusters: the one that reads and writes `View`.
 template <class Variant, class View>
-void for_pairs(const Variant& passes, const View& view, std::span<const Group> groups) {
+void for_pairs(const Variant& passes, const View& view, std::span<const Cluster> clusters) {
     constexpr std::size_t block = 16;
-    const std::size_t blocks = (groups.size() + block - 1) / block;
+    const std::size_t blocks = (clusters.size() + block - 1) / block;
 #pragma omp parallel for schedule(dynamic, 4)
     for (std::size_t b = 0; b < blocks; ++b)
-        passes.run(view, groups.data() + b * block, static_cast<int>(std::min(block, groups.size() - b * block)));
+        passes.run(view, clusters.data() + b * block, static_cast<int>(std::min(block, clusters.size() - b * block)));
 }
 
 /// The largest `value(i)` over i < n, or `least`; the same in any order.

@@ -39,7 +39,7 @@ Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup&
         }
         if (keep_places) attached_.push_back(body->attach(std::move(places)));
         body_end_.push_back(static_cast<std::int32_t>(place_.size()));
-        make_groups({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.groups);
+        make_clusters({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.clusters);
     }
     p_.assign(place_.size(), 0);
     if (!std::ranges::all_of(bodies_, [](const auto& body) { return body->sliding().isZero(0); }))
@@ -117,7 +117,7 @@ void Walls::sort(const ColumnGrid& grid, const Quanta& fixed_point, int lanes) {
             place_[part.first + k] = raw[from].record(place[from].volume);
         }
         points.reorder(order);
-        make_groups({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.groups);
+        make_clusters({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.clusters);
     }
     follow(fixed_point);
 }
@@ -129,23 +129,23 @@ Dummies Walls::dummies(std::size_t body) const {
 }
 
 void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& fixed_point,
-                            std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
+                            std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
                             const std::function<bool(int column)>& own) {
     std::vector<Source> dummies;
     for (const Part& part : parts_)
         dummies.push_back({&grid, place_.data() + part.first, &part.start, static_cast<std::int32_t>(part.first)});
-    lists_.build(passes, fixed_point, sources.front(), groups, dummies, reaches, &Group::wall_list);
+    lists_.build(passes, fixed_point, sources.front(), clusters, dummies, reaches, &Cluster::wall_list);
     for (Part& part : parts_) {
         const Source own_places{&grid, place_.data() + part.first, &part.start, 0};
         if (own)
-            make_groups(own_places, passes.lanes, part.near_water, own);
+            make_clusters(own_places, passes.lanes, part.near_water, own);
         else
-            part.near_water = part.groups;
+            part.near_water = part.clusters;
         part.water.build(passes, fixed_point, own_places, part.near_water, sources, reaches);
-        std::erase_if(part.near_water, [](const Group& g) { return g.list.size == 0; });
+        std::erase_if(part.near_water, [](const Cluster& g) { return g.list.size == 0; });
     }
     std::fill(p_.begin(), p_.end(), 0.0f);
-    group_loads_.resize(static_cast<std::size_t>(number_wall_loads(groups, lists_.view(), body_end_)));
+    cluster_loads_.resize(static_cast<std::size_t>(number_wall_loads(clusters, lists_.view(), body_end_)));
 }
 
 void Walls::set_halo(const Comm& ranks, const Decomposition& columns) {
@@ -154,7 +154,8 @@ void Walls::set_halo(const Comm& ranks, const Decomposition& columns) {
     halo_ = Halo(ranks, columns, dummies);
 }
 
-void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach) {
+void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Cluster>& clusters,
+                  double reach) {
     if (empty()) return;
     PruneData d;
     d.reach = reach;
@@ -167,8 +168,8 @@ void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std:
     d.of = particles;
     d.place = place_.data();
     d.lists = lists_.view();
-    d.list = &Group::wall_list;
-    for_pairs(passes, d, groups);
+    d.list = &Cluster::wall_list;
+    for_pairs(passes, d, clusters);
 }
 
 Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const {
@@ -197,9 +198,10 @@ Walls::Nearest Walls::nearest(const Vec3& x, const Vec3& u, double reach) const 
 
 std::size_t Walls::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    std::size_t sum = of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(group_loads_) + lists_.bytes();
+    std::size_t sum = of(place_) + of(p_) + of(velocity_) + of(acceleration_) + of(cluster_loads_) + lists_.bytes();
     for (const auto& points : attached_) sum += points->bytes();
-    for (const Part& part : parts_) sum += of(part.start) + of(part.groups) + of(part.near_water) + part.water.bytes();
+    for (const Part& part : parts_)
+        sum += of(part.start) + of(part.clusters) + of(part.near_water) + part.water.bytes();
     return sum;
 }
 

@@ -33,15 +33,15 @@ public:
     const WallAcceleration* accelerations() const { return acceleration_.empty() ? nullptr : acceleration_.data(); }
     /// The dummies of body b are those from body_end()[b - 1] (0) up to body_end()[b].
     const std::vector<std::int32_t>& body_end() const { return body_end_; }
-    Lists lists() const { return lists_.view(); }                     ///< of the level's groups among the dummies
+    Lists lists() const { return lists_.view(); }                     ///< of the level's clusters among the dummies
     const NeighbourLists& neighbour_lists() const { return lists_; }  ///< the same
 
-    /// The dummies of one body, sorted by column. Groups and lists count from `first`.
+    /// The dummies of one body, sorted by column. Clusters and lists count from `first`.
     struct Part {
         std::size_t first = 0;            ///< of all dummies
         std::vector<std::int32_t> start;  ///< first dummy of each column
-        std::vector<Group> groups;
-        std::vector<Group> near_water;  ///< those that have water within reach
+        std::vector<Cluster> clusters;
+        std::vector<Cluster> near_water;  ///< those that have water within reach
         NeighbourLists water;           ///< their neighbours among the level's particles
     };
     const std::vector<Part>& parts() const { return parts_; }
@@ -70,24 +70,24 @@ public:
     const Attached* attached(std::size_t body) const { return attached_.empty() ? nullptr : attached_[body].get(); }
     Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that deforms without places
 
-    /// Lists anew: of the level's `groups`, which are those of the first of its `sources`, among the dummies, and of
+    /// Lists anew: of the level's `clusters`, which are those of the first of its `sources`, among the dummies, and of
     /// the dummies in the `own` columns among the sources.
     void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& fixed_point,
-                         std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
+                         std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
                          const std::function<bool(int column)>& own);
     /// Who tells whom of dummies: each is worked out by the rank whose column it stands in.
     void set_halo(const Comm& ranks, const Decomposition& columns);
     const Halo& halo() const { return halo_; }
     /// Leaves in those lists who is within `reach` [fixed-point units] now.
-    void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Group>& groups, double reach);
+    void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Cluster>& clusters, double reach);
 
     using Nearest = NearestWall;
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
     Nearest nearest(const Vec3& x, const Vec3& u, double reach) const;
 
-    /// What the pair loops have left of each group's load: one WallLoad for each body that the group has in reach.
-    std::vector<WallLoad>& group_loads() { return group_loads_; }
-    std::size_t group_load_count() const { return group_loads_.size(); }
+    /// What the pair loops have left of each cluster's load: one WallLoad for each body that the cluster has in reach.
+    std::vector<WallLoad>& cluster_loads() { return cluster_loads_; }
+    std::size_t cluster_load_count() const { return cluster_loads_.size(); }
     std::size_t bytes() const;
 
     /// What the level does to each body: of the last evaluation and, after a step, with what its walls had to hold.
@@ -116,7 +116,7 @@ private:
     std::vector<Part> parts_;  // of each body
     NeighbourLists lists_;
     Halo halo_;
-    std::vector<WallLoad> group_loads_;
+    std::vector<WallLoad> cluster_loads_;
     std::vector<Load> loads_;  // on each body
     std::vector<WallPush> pushes_;
 };

@@ -2,7 +2,7 @@
 // The kernels by name and by the type of what they do, once for all who make or start them (launch.h): a line each.
 // clang-format off
 
-// Pair loops over groups and their neighbours: pair loop(NAME, VIEW).
+// Pair loops over clusters and their neighbours: pair loop(NAME, VIEW).
 #define TW_DEVICE_PAIR_LOOPS(pair_loop)             \
     pair_loop(tw_prune,        PruneData)       \
     pair_loop(tw_first_pair_loop,  FirstPairLoopData)  \
@@ -29,11 +29,11 @@
     task(tw_count_images,            cuda::CountImages)          \
     task(tw_find_images,             cuda::FindImages)           \
     task(tw_reorder_links,           cuda::ReorderLinks)         \
-    task(tw_count_groups,            cuda::CountGroups)          \
-    task(tw_make_groups,             cuda::MakeGroups)           \
-    task(tw_centre_groups,           cuda::CentreGroups)         \
+    task(tw_count_clusters,            cuda::CountClusters)          \
+    task(tw_make_clusters,             cuda::MakeClusters)           \
+    task(tw_centre_clusters,           cuda::CentreClusters)         \
     task(tw_count_wall_loads,        cuda::CountWallLoads)       \
-    task(tw_list_groups_at_walls,    cuda::ListGroupsAtWalls)    \
+    task(tw_list_clusters_at_walls,    cuda::ListClustersAtWalls)    \
     task(tw_take_near_walls,         cuda::TakeNearWalls)        \
     task(tw_no_walls,                cuda::NoWalls)              \
     task(tw_put_walls,               cuda::PutWalls)             \
@@ -67,7 +67,7 @@
     task(tw_mark_own,                cuda::MarkOwn)              \
     task(tw_start_marked,            cuda::StartMarked)          \
     task(tw_places_ahead,            cuda::PlacesAhead)          \
-    task(tw_work_of_groups,          cuda::WorkOfGroups)
+    task(tw_work_of_clusters,          cuda::WorkOfClusters)
 
 // The same, of tasks that count: they are given an atomic `add_one(counter)`.
 #define TW_DEVICE_COUNTING_TASKS(task)                \
@@ -76,7 +76,7 @@
     task(tw_label_coarse,  cuda::LabelCoarseKnown)    \
     task(tw_label_fine,    cuda::LabelFineKnown)
 
-// Groups by a condition: choose(NAME, CONDITION).
+// Clusters by a condition: choose(NAME, CONDITION).
 #define TW_DEVICE_CHOICES(choose) \
     choose(tw_has_neighbours, cuda::HasNeighbours)
 

@@ -36,15 +36,15 @@ namespace tw {
 using on_device::pass;
 
 #define pair_loop(name, View) \
-    TW_PAIR_LOOP_KERNEL name(View d, const Group* groups, int count) { pass(d, groups, count); }
+    TW_PAIR_LOOP_KERNEL name(View d, const Cluster* clusters, int count) { pass(d, clusters, count); }
 TW_DEVICE_PAIR_LOOPS(pair_loop)
 TW_EFFECT_PAIR_LOOPS(pair_loop)
 TW_PAIR_PAIR_LOOPS(pair_loop)
 #undef pair_loop
 
-/// How many groups were chosen is known to the device alone.
+/// How many clusters were chosen is known to the device alone.
 #define pair_loop(name, View) \
-    TW_PAIR_LOOP_KERNEL name(View d, const Group* groups, const int* count) { pass(d, groups, *count); }
+    TW_PAIR_LOOP_KERNEL name(View d, const Cluster* clusters, const int* count) { pass(d, clusters, *count); }
 TW_EFFECT_PAIR_LOOPS_OF_CHOSEN(pair_loop)
 #undef pair_loop
 
@@ -60,10 +60,10 @@ TW_STAGE_TASKS(task)
 TW_BODY_TASKS(task)
 #undef task
 
-#define choose(name, Condition)                                                                          \
-    TW_KERNEL name(Condition condition, const Group* groups, Group* chosen, int* count, std::size_t n) { \
-        const std::size_t k = device::index();                                                           \
-        if (k < n && condition(groups[k])) chosen[device::add_one(count)] = groups[k];                   \
+#define choose(name, Condition)                                                                                \
+    TW_KERNEL name(Condition condition, const Cluster* clusters, Cluster* chosen, int* count, std::size_t n) { \
+        const std::size_t k = device::index();                                                                 \
+        if (k < n && condition(clusters[k])) chosen[device::add_one(count)] = clusters[k];                     \
     }
 TW_DEVICE_CHOICES(choose)
 TW_EFFECT_CHOICES(choose)
@@ -111,12 +111,12 @@ TW_DEVICE_LARGEST(largest)
 TW_EFFECT_LARGEST(largest)
 #undef largest
 
-/// A warp for each group, which asks for 32 places at once.
-TW_KERNEL tw_search(cuda::SearchNeighbours task, const Group* groups, int count) {
+/// A warp for each cluster, which asks for 32 places at once.
+TW_KERNEL tw_search(cuda::SearchNeighbours task, const Cluster* clusters, int count) {
     using namespace on_device;
     const int thread = device::thread();
-    for (int n = first_group(); n < count; n = next_group(n)) {
-        const GroupReach& own = reach_of_warp(task.places, groups[n], task.reaches);
+    for (int n = first_cluster(); n < count; n = next_cluster(n)) {
+        const ClusterReach& own = reach_of_warp(task.places, clusters[n], task.reaches);
         const auto ask = [&](const PlaceRecord* first, const PlaceRecord*, int places, std::int64_t top) {
             const bool there = thread < places;
             const PlaceRecord p = first[there ? thread : 0];

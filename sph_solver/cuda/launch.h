@@ -40,11 +40,11 @@ template <class Task>
 void launch(Device& device, const Task& task, std::size_t count) {
     launch_threads(device, count, task, count);
 }
-/// A pair loop, of a warp for each group.
+/// A pair loop, of a warp for each cluster.
 template <class View>
-void launch_pairs(Device& device, const View& view, const Array<Group>& groups) {
-    launch_threads(device, groups.size() * warp, view, static_cast<const Group*>(groups.data()),
-                   static_cast<int>(groups.size()));
+void launch_pairs(Device& device, const View& view, const Array<Cluster>& clusters) {
+    launch_threads(device, clusters.size() * warp, view, static_cast<const Cluster*>(clusters.data()),
+                   static_cast<int>(clusters.size()));
 }
 
 }  // namespace cuda

@@ -1,5 +1,5 @@
 #pragma once
-// Groups at walls, and the walls near their particles, which the host finds: plain data for kernels, as in tasks.h.
+// Clusters at walls, and the walls near their particles, which the host finds: plain data for kernels, as in tasks.h.
 #include <cstddef>
 #include <cstdint>
 
@@ -10,16 +10,16 @@
 
 namespace tw::cuda {
 
-/// How many bodies each group has in reach, each of which gets a slot for its load.
+/// How many bodies each cluster has in reach, each of which gets a slot for its load.
 struct CountWallLoads {
-    const Group* groups;
+    const Cluster* clusters;
     const NeighbourBlock* blocks;
     const std::int32_t* body_end;
     int bodies;
     int *loads, *at_wall;
 
     void operator()(std::size_t n) const {
-        const Group& g = groups[n];
+        const Cluster& g = clusters[n];
         int count = 0;
         for (std::int32_t k = 0, body = -1; k < g.wall_list.size; ++k) {
             int of = 0;
@@ -30,21 +30,21 @@ struct CountWallLoads {
         loads[n] = count, at_wall[n] = count > 0;
     }
 };
-/// A group at a wall, and its centre [m].
-struct GroupAtWall {
-    Group group;
+/// A cluster at a wall, and its centre [m].
+struct ClusterAtWall {
+    Cluster cluster;
     double x, y, z;
 };
-struct ListGroupsAtWalls {
+struct ListClustersAtWalls {
     Columns columns;
     const int* column;
     const int *first_load, *at_wall, *before;
     double origin[3], quantum;
-    Group* groups;
-    GroupAtWall* list;
+    Cluster* clusters;
+    ClusterAtWall* list;
 
     void operator()(std::size_t n) const {
-        Group& g = groups[n];
+        Cluster& g = clusters[n];
         g.wall_load = at_wall[n] ? first_load[n] : -1;
         if (!at_wall[n]) return;
         const WidePlace c = columns.centre(column[n]);
@@ -71,12 +71,12 @@ struct NearWall {
 struct TakeNearWalls {
     StateView p;
     const Kind* kind;
-    const GroupAtWall* list;
+    const ClusterAtWall* list;
     NearWall* to;
 
     void operator()(std::size_t k) const {
-        const Group& g = list[k / lanes_of_group].group;
-        const int l = static_cast<int>(k % lanes_of_group);
+        const Cluster& g = list[k / lanes_of_cluster].cluster;
+        const int l = static_cast<int>(k % lanes_of_cluster);
         NearWall& near = to[k];
         near.index = l < g.size ? g.first + l : -1;
         if (near.index < 0) return;

@@ -5,7 +5,7 @@
 
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/neighbours/column_grid.h"
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 
 namespace tw::cuda {
 
@@ -19,19 +19,19 @@ struct DeviceSource {
     int first_of(int column) const { return start[std::int64_t{column} * stride]; }
 };
 
-/// Groups that have some.
+/// Clusters that have some.
 struct HasNeighbours {
-    bool operator()(const Group& g) const { return g.list.size > 0; }
+    bool operator()(const Cluster& g) const { return g.list.size > 0; }
 };
 
-/// How many pairs the pair loops visit for a group, with the particles themselves.
-struct WorkOfGroups {
-    const Group* groups;
+/// How many pairs the pair loops visit for a cluster, with the particles themselves.
+struct WorkOfClusters {
+    const Cluster* clusters;
     const NeighbourBlock *blocks, *wall_blocks;
     int* work;
 
     void operator()(std::size_t n) const {
-        const Group& g = groups[n];
+        const Cluster& g = clusters[n];
         int live = 0;
         for (std::int32_t k = 0; k < g.list.size; ++k) live += __builtin_popcount(blocks[g.list.first + k].live);
         for (std::int32_t k = 0; k < g.wall_list.size; ++k)
@@ -40,36 +40,36 @@ struct WorkOfGroups {
     }
 };
 
-/// Who is within reach of each group's particles, block by block as Search in neighbours/columns.cpp finds them. A
+/// Who is within reach of each cluster's particles, block by block as Search in neighbours/columns.cpp finds them. A
 /// first run counts the blocks, a second one writes them.
 struct SearchNeighbours {
     Columns columns;            ///< of the sources
-    Columns of_groups;          ///< the same, or others over the same box
-    const PlaceRecord* places;  ///< of the groups
-    const int* column;          ///< of each group
-    Group* groups;
+    Columns of_clusters;        ///< the same, or others over the same box
+    const PlaceRecord* places;  ///< of the clusters
+    const int* column;          ///< of each cluster
+    Cluster* clusters;
     const DeviceSource* sources;
     int source_count;
     double reach;     ///< [fixed-point units], with what the sources may have moved
     Reaches reaches;  ///< [fixed-point units]
     bool write;       ///< the second run
-    int* count;       ///< of blocks; in the second run the first of each group's
+    int* count;       ///< of blocks; in the second run the first of each cluster's
     NeighbourBlock* blocks;
-    ListRef Group::*list;
+    ListRef Cluster::*list;
 
     /// `ask(first, end, count, top)`: who of so many places is near, and not above a height, as Passes::reached says.
     template <class Ask, class Once>
     void operator()(std::size_t n, const Ask& ask, const Once& once) const {
-        const Group g = groups[n];
-        const WidePlace centre = of_groups.centre(column[n]);
-        const GroupBox box = box_of(places, g, centre);
-        const std::int64_t group_z = centre.z + difference(g.z, static_cast<std::int32_t>(centre.z));
+        const Cluster g = clusters[n];
+        const WidePlace centre = of_clusters.centre(column[n]);
+        const ClusterBox box = box_of(places, g, centre);
+        const std::int64_t cluster_z = centre.z + difference(g.z, static_cast<std::int32_t>(centre.z));
         const int first = write ? count[n] : 0;
         int found = 0;
-        for (int s = 0; s < source_count; ++s) search(sources[s], box, group_z, ask, once, first, found);
+        for (int s = 0; s < source_count; ++s) search(sources[s], box, cluster_z, ask, once, first, found);
         once([&] {
             if (write)
-                groups[n].*list = {0, first, found};
+                clusters[n].*list = {0, first, found};
             else
                 count[n] = found;
         });
@@ -77,8 +77,8 @@ struct SearchNeighbours {
 
 private:
     template <class Ask, class Once>
-    void search(const DeviceSource& source, const GroupBox& box, std::int64_t group_z, const Ask& ask, const Once& once,
-                int first, int& found) const {
+    void search(const DeviceSource& source, const ClusterBox& box, std::int64_t cluster_z, const Ask& ask,
+                const Once& once, int first, int& found) const {
         const auto r = whole_above(reach);
         const PlaceRecord* const all_end = source.places + source.first_of(columns.count());
         const int x0 = columns.column_x(box.lo[0] - r), x1 = columns.column_x(box.hi[0] + r),
@@ -108,7 +108,7 @@ private:
                     }
                     for (; p < end && height(*p) < top + 1; p += 32) {
                         const int n = end - p < 32 ? static_cast<int>(end - p) : 32;
-                        const Reached near = ask(p, all_end, n, top - group_z);
+                        const Reached near = ask(p, all_end, n, top - cluster_z);
                         if (near.far == 0) continue;
                         if (write)
                             once([&] {

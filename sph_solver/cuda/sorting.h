@@ -1,5 +1,5 @@
 #pragma once
-// Sorting places into the order of neighbours/columns.h, with their images and in groups, as a device does it: plain
+// Sorting places into the order of neighbours/columns.h, with their images and in clusters, as a device does it: plain
 // data for kernels, as in tasks.h. The order is a function of the places alone, whoever came first.
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/loops/link_map.h"
 #include "sph_solver/neighbours/column_grid.h"
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 
 namespace tw::cuda {
 
@@ -123,11 +123,11 @@ struct ReorderLinks {
     void operator()(std::size_t k) const { to[k] = from[order[k]]; }
 };
 
-// --- groups
+// --- clusters
 
-constexpr int lanes_of_group = 8;
+constexpr int lanes_of_cluster = 8;
 
-struct CountGroups {
+struct CountClusters {
     const int* start;  ///< of bins
     int in_column;
     const char* wanted;  ///< of each column; null: all are
@@ -139,38 +139,38 @@ struct CountGroups {
             return;
         }
         const auto of = [&](std::size_t column) { return start[column * static_cast<std::size_t>(in_column)]; };
-        count[c] = (of(c + 1) - of(c) + lanes_of_group - 1) / lanes_of_group;
+        count[c] = (of(c + 1) - of(c) + lanes_of_cluster - 1) / lanes_of_cluster;
     }
 };
-struct MakeGroups {
+struct MakeClusters {
     const int* start;
     int in_column;
-    const char* wanted;  ///< as of CountGroups
-    const int* first;    ///< group of each column
-    Group* groups;
-    int* column;  ///< of each group
+    const char* wanted;  ///< as of CountClusters
+    const int* first;    ///< cluster of each column
+    Cluster* clusters;
+    int* column;  ///< of each cluster
 
     void operator()(std::size_t c) const {
         if (wanted && !wanted[c]) return;
         const int end = start[(c + 1) * static_cast<std::size_t>(in_column)];
         int at = start[c * static_cast<std::size_t>(in_column)];
-        for (int g = first[c]; at < end; ++g, at += lanes_of_group) {
-            Group group;
-            group.first = at, group.size = end - at < lanes_of_group ? end - at : lanes_of_group;
-            groups[g] = group, column[g] = static_cast<int>(c);
+        for (int g = first[c]; at < end; ++g, at += lanes_of_cluster) {
+            Cluster cluster;
+            cluster.first = at, cluster.size = end - at < lanes_of_cluster ? end - at : lanes_of_cluster;
+            clusters[g] = cluster, column[g] = static_cast<int>(c);
         }
     }
 };
 
-/// A box round a group [fixed-point units].
-struct GroupBox {
+/// A box round a cluster [fixed-point units].
+struct ClusterBox {
     std::int64_t lo[3], hi[3];
 };
-inline GroupBox box_of(const PlaceRecord* places, const Group& g, const WidePlace& from) {
+inline ClusterBox box_of(const PlaceRecord* places, const Cluster& g, const WidePlace& from) {
     const auto in_full = [](std::int32_t x, std::int64_t near) {
         return near + difference(x, static_cast<std::int32_t>(near));
     };
-    GroupBox box;
+    ClusterBox box;
     const auto widen = [&](int a, std::int64_t x, bool first) {
         if (first || x < box.lo[a]) box.lo[a] = x;
         if (first || x > box.hi[a]) box.hi[a] = x;
@@ -183,15 +183,15 @@ inline GroupBox box_of(const PlaceRecord* places, const Group& g, const WidePlac
     }
     return box;
 }
-struct CentreGroups {
+struct CentreClusters {
     Columns columns;
     const PlaceRecord* places;
     const int* column;
-    Group* groups;
+    Cluster* clusters;
 
     void operator()(std::size_t n) const {
-        Group& g = groups[n];
-        const GroupBox box = box_of(places, g, columns.centre(column[n]));
+        Cluster& g = clusters[n];
+        const ClusterBox box = box_of(places, g, columns.centre(column[n]));
         g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
         g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
         g.z = static_cast<std::int32_t>((box.lo[2] + box.hi[2]) / 2);

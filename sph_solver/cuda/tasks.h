@@ -1,6 +1,6 @@
 #pragma once
 // What a device is asked to do beside the pair loops: plain data for kernels, each with what is done to one particle,
-// image, word or group. `Task::operator()(i)` is one index's part; any order of them gives the same.
+// image, word or cluster. `Task::operator()(i)` is one index's part; any order of them gives the same.
 #include <cstddef>
 #include <cstdint>
 
@@ -13,7 +13,7 @@
 #include "sph_solver/loops/records.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/loops/wall_motion.h"
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 
 namespace tw::cuda {
 

@@ -47,12 +47,12 @@ struct StepView {
     GradientPressureRecord* stress;  ///< may be changed before the forces
     RateRecord* rate;                ///< may be changed after them
     const Passes& passes;
-    std::span<const Group> groups;
-    /// Dummies in groups, with lists of the water near them.
+    std::span<const Cluster> clusters;
+    /// Dummies in clusters, with lists of the water near them.
     struct DummiesOfBody {
-        std::size_t first;  ///< of all dummies; groups and lists count from it
+        std::size_t first;  ///< of all dummies; clusters and lists count from it
         Lists water;
-        std::span<const Group> groups;
+        std::span<const Cluster> clusters;
     };
     std::vector<DummiesOfBody> bodies;
     std::size_t dummy_count;
@@ -77,24 +77,25 @@ struct StepView {
         if (!device) return largest_of(count, 0, value);
         return device->largest(KernelOf<Value>::name, &value, count);
     }
-    /// A pair loop over the neighbours of the level's groups, or of others.
+    /// A pair loop over the neighbours of the level's clusters, or of others.
     template <class View>
-    void pairs(const View& view, std::span<const Group> of) const {
+    void pairs(const View& view, std::span<const Cluster> of) const {
         if (!device) return for_pairs(passes, view, of);
         device->pairs(KernelOf<View>::name, &view, of);
     }
     template <class View>
     void pairs(const View& view) const {
-        pairs(view, groups);
+        pairs(view, clusters);
     }
-    /// A pair loop over those of the level's groups of which `choose(group)` is true, put into `chosen` in some order.
+    /// A pair loop over those of the level's clusters of which `choose(cluster)` is true, put into `chosen` in some
+    /// order.
     template <class Choose, class View>
-    void pairs_where(const Choose& choose, const View& view, LoopArray<Group>& chosen) const {
-        Group* const to = chosen.resize(device, groups.size());
+    void pairs_where(const Choose& choose, const View& view, LoopArray<Cluster>& chosen) const {
+        Cluster* const to = chosen.resize(device, clusters.size());
         if (device)
-            return device->pairs_where(KernelOf<Choose>::name, &choose, groups, to, KernelOf<View>::name, &view);
+            return device->pairs_where(KernelOf<Choose>::name, &choose, clusters, to, KernelOf<View>::name, &view);
         std::size_t count = 0;
-        for (const Group& g : groups)
+        for (const Cluster& g : clusters)
             if (choose(g)) to[count++] = g;
         for_pairs(passes, view, {to, count});
     }
@@ -157,7 +158,7 @@ public:
     virtual double largest_step(const LevelSetup&, double /*h*/) const {
         return std::numeric_limits<double>::infinity();
     }
-    /// What the walls did to the water in `add_rates`, group by group as in SecondPairLoopData; empty: nothing.
+    /// What the walls did to the water in `add_rates`, cluster by cluster as in SecondPairLoopData; empty: nothing.
     virtual const std::vector<WallLoad>& wall_loads() const {
         static const std::vector<WallLoad> none;
         return none;

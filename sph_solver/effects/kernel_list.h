@@ -2,7 +2,7 @@
 // What a device does for effects: their loops and pair loops as kernels, a line each. Bodies and views stand beside the
 // effects. clang-format off
 
-// Pair loops over groups and their neighbours: pair loop(NAME, VIEW).
+// Pair loops over clusters and their neighbours: pair loop(NAME, VIEW).
 #define TW_EFFECT_PAIR_LOOPS(pair_loop)                                                             \
     pair_loop(tw_velocity_at_walls, WaterVelocityData) pair_loop(tw_friction, ViscousForceData)     \
         pair_loop(tw_strain_rate, StrainRateData) pair_loop(tw_colour_gradient, ColourGradientData) \
@@ -21,7 +21,7 @@
 // The same, and the largest of what they give: largest(NAME, TASK).
 #define TW_EFFECT_LARGEST(largest) largest(tw_add_eddies, AddEddies) largest(tw_weigh_under_surface, WeighUnderSurface)
 
-// Groups by a condition, choose(NAME, CONDITION), and pair loops over those that it chose: pair loop(NAME, VIEW).
+// Clusters by a condition, choose(NAME, CONDITION), and pair loops over those that it chose: pair loop(NAME, VIEW).
 #define TW_EFFECT_CHOICES(choose) choose(tw_may_get_air, MayGetAir)
 #define TW_EFFECT_PAIR_LOOPS_OF_CHOSEN(pair_loop) pair_loop(tw_near_air, NearAirData)
 

@@ -28,7 +28,7 @@ struct Curvature {
     Curvature(const CurvatureData& data, const Own& i) : d(data), n_i(i.velocities(d.normal)) {}
     void sums(auto&& of) { of(grad_n); }
     /// Deep in the water nobody has a normal.
-    ListRef list(const Group& g) const {
+    ListRef list(const Cluster& g) const {
         bool any = false;
         for (int l = 0; l < g.size; ++l) any |= d.normal[g.first + l].drho > 0;
         return any ? g.list : ListRef{};
@@ -46,12 +46,12 @@ struct Curvature {
 }  // namespace
 
 template <>
-void pass(const ColourGradientData& d, const Group* groups, int count) {
-    run<GradientOfColour>(d, groups, count);
+void pass(const ColourGradientData& d, const Cluster* clusters, int count) {
+    run<GradientOfColour>(d, clusters, count);
 }
 template <>
-void pass(const CurvatureData& d, const Group* groups, int count) {
-    run<Curvature>(d, groups, count);
+void pass(const CurvatureData& d, const Cluster* clusters, int count) {
+    run<Curvature>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

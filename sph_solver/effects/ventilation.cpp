@@ -38,7 +38,7 @@ private:
     Ventilation options_;
     LoopArray<std::uint32_t> stays_;  ///< a bit for each particle and image, as Particles::surface
     LoopArray<Round> round_;
-    LoopArray<Group> asking_;
+    LoopArray<Cluster> asking_;
 };
 
 }  // namespace

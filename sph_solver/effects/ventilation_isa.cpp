@@ -27,8 +27,8 @@ struct NearAir {
 }  // namespace
 
 template <>
-void pass(const NearAirData& d, const Group* groups, int count) {
-    run<NearAir>(d, groups, count);
+void pass(const NearAirData& d, const Cluster* clusters, int count) {
+    run<NearAir>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

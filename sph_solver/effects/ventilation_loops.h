@@ -4,7 +4,7 @@
 #include "sph_solver/effects/ventilation.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/surface.h"
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 
 namespace tw {
 
@@ -43,12 +43,12 @@ struct MarkAir {
         MarkBits{[&](std::size_t i) { return air.stays(i); }, links, n, all, words}(word);
     }
 };
-/// The groups that air may come to.
+/// The clusters that air may come to.
 struct MayGetAir {
     AirAtParticles air;
     const std::uint32_t* stays;
 
-    bool operator()(const Group& g) const {
+    bool operator()(const Cluster& g) const {
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
             if (!marked(stays, i) && air.may_come(i)) return true;

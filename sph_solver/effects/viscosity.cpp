@@ -77,7 +77,7 @@ private:
                                          .list = body.water,
                                          .at = step.dummies.place + body.first,
                                          .velocity = sums.from(body.first)},
-                       body.groups);
+                       body.clusters);
         VelocityDensityRecord* const velocity = step.exchange_at_dummies(sums);
         step.each(step.dummy_count, HoldAtWalls{velocity, step.sliding, step.dummies.velocity});
         return velocity;

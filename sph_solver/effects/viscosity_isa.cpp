@@ -45,7 +45,7 @@ struct Friction {
                   (d.water.inv_mass * d.water.kernel.inv_support)) {}
 
     void sums(auto&& of) { of(inner); }
-    ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
+    ListRef list(const Cluster& g) const { return list_for_rates(d.water, g); }
     void meet(std::int32_t j, const Met& ij) {
         ViscousForce::add(ij, mu_i + d.mu[j], velocity(d.water.motion[j]) - u_i, inner);
     }
@@ -87,16 +87,16 @@ struct StrainRate {
 }  // namespace
 
 template <>
-void pass(const WaterVelocityData& d, const Group* groups, int count) {
-    run<WaterVelocity>(d, groups, count);
+void pass(const WaterVelocityData& d, const Cluster* clusters, int count) {
+    run<WaterVelocity>(d, clusters, count);
 }
 template <>
-void pass(const ViscousForceData& d, const Group* groups, int count) {
-    run<Friction>(d, groups, count);
+void pass(const ViscousForceData& d, const Cluster* clusters, int count) {
+    run<Friction>(d, clusters, count);
 }
 template <>
-void pass(const StrainRateData& d, const Group* groups, int count) {
-    run<StrainRate>(d, groups, count);
+void pass(const StrainRateData& d, const Cluster* clusters, int count) {
+    run<StrainRate>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors of the pair terms. `Real` is a SIMD vector over the particles of a group on the CPU, a float on a GPU; what
+// Vectors of the pair terms. `Real` is a SIMD vector over the particles of a cluster on the CPU, a float on a GPU; what
 // belongs to one neighbour alone is a float, the same for all lanes.
 
 namespace tw {

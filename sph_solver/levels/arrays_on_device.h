@@ -54,7 +54,7 @@ struct LevelOnDevice::Arrays {
     SortedOnDevice order{device, bins}, image_order{device, bins};
     cuda::Array<Link> found{device}, links{device};
     cuda::Array<LinkMap> maps{device};
-    GroupsOnDevice groups{device};
+    ClustersOnDevice clusters{device};
     ListsOnDevice lists{device}, wall_lists{device};
 
     cuda::Array<PlaceRecord> wall_place{device};
@@ -66,14 +66,14 @@ struct LevelOnDevice::Arrays {
     cuda::Array<std::int32_t> body_end{device};
     cuda::Array<WallLoad> wall_load{device};
     RunningSum loads{device}, at_wall{device};
-    cuda::Array<cuda::GroupAtWall> groups_at_walls{device};
+    cuda::Array<cuda::ClusterAtWall> clusters_at_walls{device};
     cuda::Array<cuda::NearWall> near_walls{device};
     cuda::Array<cuda::WallFound> walls_found{device};
     /// The dummies of one body.
     struct Part {
         std::size_t first;
         cuda::Array<int> start, column;
-        cuda::Array<Group> groups;
+        cuda::Array<Cluster> clusters;
         ListsOnDevice lists;
     };
     std::vector<Part> parts;
@@ -89,7 +89,7 @@ struct LevelOnDevice::Arrays {
     cuda::Array<V3<float>> pushes{device};
 
     // where another level's material is within reach
-    cuda::Array<Group> asking_others{device}, near_others{device};
+    cuda::Array<Cluster> asking_others{device}, near_others{device};
     ListsOnDevice lists_of_others{device};
 
     cuda::Array<int> count{device};
@@ -107,13 +107,13 @@ struct LevelOnDevice::Arrays {
     /// The places where they ask, in order, and what is found there.
     struct Asked {
         SortedOnDevice order;
-        GroupsOnDevice groups;
+        ClustersOnDevice clusters;
         ListsOnDevice lists;
         cuda::Array<PlaceRecord> place;
         cuda::Array<VelocityDensityRecord> value;
         cuda::Array<float> support, mean_support, compression;
         Asked(cuda::Device& d, const cuda::Bins& bins)
-            : order(d, bins), groups(d), lists(d), place(d), value(d), support(d), mean_support(d), compression(d) {}
+            : order(d, bins), clusters(d), lists(d), place(d), value(d), support(d), mean_support(d), compression(d) {}
     };
     std::map<double, Asked> asked;  ///< by how far apart the places are
     // who follows other levels
@@ -142,15 +142,15 @@ struct LevelOnDevice::Arrays {
         p.each(add), sorted.each(add);
         add(surface, skin_motions, pushed, pushes, asking_others, near_others, lists_of_others, wall_velocity,
             wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found, links, maps,
-            groups, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
-            groups_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
+            clusters, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
+            clusters_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
             giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images, following, orphans,
             which, own, own_columns, inner_columns, start, new_start, at_border, work, places_ahead, found_order,
             found_value, found_support, found_mean, found_compression, wide_of_others, given, at_edge, outside,
             asked_outside, gone_at_edge, left_zone, located, parents, daughters);
         for (const auto& [apart, a] : asked)
-            add(a.order, a.groups, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
-        for (const Part& part : parts) add(part.start, part.column, part.groups, part.lists);
+            add(a.order, a.clusters, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
+        for (const Part& part : parts) add(part.start, part.column, part.clusters, part.lists);
         for (const Skin& skin : skins) add(skin.corners, skin.noted, skin.velocity);
         return sum;
     }

@@ -10,21 +10,21 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     cuda::Device& d = *device_;
     const std::size_t n = points.places.size();
     cuda::Array<PlaceRecord> places(d);
-    cuda::Array<Group> groups(d);
+    cuda::Array<Cluster> clusters(d);
     cuda::Array<int> column(d);
     cuda::Array<float> p(d), support(d);
     ListsOnDevice lists(d);
-    places.take(points.places), groups.take(points.groups);
-    column.take(columns_of(points.groups, points.start));
+    places.take(points.places), clusters.take(points.clusters);
+    column.take(columns_of(points.clusters, points.start));
     p.resize(n), support.resize(n);
     p.set_zero(), support.set_zero();  // at those of other ranks nothing is found
-    lists.build(level_.grid, level_.grid, places.data(), column, groups, sources(),
+    lists.build(level_.grid, level_.grid, places.data(), column, clusters, sources(),
                 level_.reaches_of_points(level_.kernel) / level_.fixed_point.size);
     ExtrapolateData e = to;
     e.water = water();
     e.list = lists.view();
     e.at = places.data(), e.p = p.data(), e.support = support.data();
-    cuda::launch_pairs(*device_, e, groups);
+    cuda::launch_pairs(*device_, e, clusters);
     p.give(std::span(to.p, n)), support.give(std::span(to.support, n));
 }
 
@@ -64,9 +64,9 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     at.place.resize(n), at.value.resize(n), at.support.resize(n), at.mean_support.resize(n);
     at.compression.resize(asking.want_compression ? n : 0);
     cuda::launch(*device_, cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
-    at.groups.make(grid, at.order, at.place.data());
+    at.clusters.make(grid, at.order, at.place.data());
     const std::vector<cuda::DeviceSource> giving = note_giving(asking);
-    at.lists.build(level_.grid, grid, at.place.data(), at.groups.column(), at.groups.groups(), giving,
+    at.lists.build(level_.grid, grid, at.place.data(), at.clusters.column(), at.clusters.clusters(), giving,
                    level_.reaches_of_interpolation() / quantum);
     InterpolateData d = level_.interpolation();
     d.list = at.lists.view();
@@ -76,7 +76,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     d.value = at.value.data(), d.support = at.support.data(), d.mean_support = at.mean_support.data();
     d.compression = or_null(at.compression);
     at.mean_support.set_zero(), at.compression.set_zero();  // where nobody gives anything they are not worked out
-    cuda::launch_pairs(*device_, d, at.groups.groups());
+    cuda::launch_pairs(*device_, d, at.clusters.clusters());
     return {at.order.order(), d.value, d.support, d.mean_support, d.compression};
 }
 

@@ -52,7 +52,7 @@ void LevelOnProcessor::sample(SortedPlaces& points, const ExtrapolateData& to) {
     points.find_neighbours(level_.kernel, level_, sources());
     ExtrapolateData e = to;
     e.list = points.lists.view();
-    for_pairs(level_.passes, e, points.groups);
+    for_pairs(level_.passes, e, points.clusters);
 }
 
 void LevelOnProcessor::interpolate(FieldsAt& at) {
@@ -122,7 +122,7 @@ void LevelOnProcessor::interpolate_here(FieldsAt& at) {
     d.value = in_order.value.data(), d.support = in_order.support.data();
     d.mean_support = in_order.mean_support.data();
     d.compression = at.want_compression ? in_order.compression.data() : nullptr;
-    for_pairs(level_.passes, d, sorted.groups);
+    for_pairs(level_.passes, d, sorted.clusters);
     for_particles(n, [&](std::size_t k) { at.take(static_cast<std::size_t>(sorted.order[k]), in_order.given(k)); });
 }
 

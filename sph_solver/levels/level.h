@@ -76,8 +76,8 @@ public:
     const Ledger& ledger() const { return system_.ledger; }
     const Extremes& extremes() const { return system_.extremes; }
     const Timers& timers() const { return timers_; }
-    const std::vector<Group>& groups() const { return system_.near.groups; }
-    std::int64_t live_pairs(const Group& g) const { return system_.live_pairs(g); }
+    const std::vector<Cluster>& clusters() const { return system_.near.clusters; }
+    std::int64_t live_pairs(const Cluster& g) const { return system_.live_pairs(g); }
 
     // --- its particles
     /// Those that this process holds: all, or its own and copies of those near them (`owns`).

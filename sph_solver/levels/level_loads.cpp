@@ -2,23 +2,23 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "sph_solver/bodies/group_loads.h"
+#include "sph_solver/bodies/cluster_loads.h"
 #include "sph_solver/levels/level.h"
 #include "sph_solver/loops/force_on_dummies.h"
 
 namespace tw {
 
 void Level::gather_loads(const Vec3& moment_reference) {
-    const auto arm = [&](const Group& g) {
-        const auto k = static_cast<std::size_t>(&g - system_.near.groups.data());
-        return Vec3(steps_->centre_of_group(k) - moment_reference);
+    const auto arm = [&](const Cluster& g) {
+        const auto k = static_cast<std::size_t>(&g - system_.near.clusters.data());
+        return Vec3(steps_->centre_of_cluster(k) - moment_reference);
     };
     const std::size_t n = system_.bodies.size();
     std::vector<PushSum> sums(3 * n);
     const std::span<PushSum> pressed(sums.data(), n), rubbed(sums.data() + n, n), of_bodies(sums.data() + 2 * n, n);
-    add_group_loads(system_.near.groups, system_.walls.group_loads(), arm, pressed);
+    add_cluster_loads(system_.near.clusters, system_.walls.cluster_loads(), arm, pressed);
     for (const auto& effect : system_.effects)
-        if (!effect->wall_loads().empty()) add_group_loads(system_.near.groups, effect->wall_loads(), arm, rubbed);
+        if (!effect->wall_loads().empty()) add_cluster_loads(system_.near.clusters, effect->wall_loads(), arm, rubbed);
     if (system_.walls.press()) {
         const WallPushes pushed = push_particles();
         std::vector<WallPush> own;
@@ -86,15 +86,15 @@ std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
     const auto lanes = static_cast<std::size_t>(system_.passes.lanes);
     V3<double>* const force =
         forces_on_dummies_.zeros(step.device, static_cast<std::size_t>(system_.walls.body_end()[body]) - dummies.first);
-    step.each(lanes * dummies.groups.size(), ForceOnDummies{.water = step.water,
-                                                            .walls = step.dummies,
-                                                            .quantum = system_.fixed_point.size,
-                                                            .own = step.n,
-                                                            .first = dummies.first,
-                                                            .lists = dummies.water,
-                                                            .groups = dummies.groups.data(),
-                                                            .lanes = lanes,
-                                                            .force = force});
+    step.each(lanes * dummies.clusters.size(), ForceOnDummies{.water = step.water,
+                                                              .walls = step.dummies,
+                                                              .quantum = system_.fixed_point.size,
+                                                              .own = step.n,
+                                                              .first = dummies.first,
+                                                              .lists = dummies.water,
+                                                              .clusters = dummies.clusters.data(),
+                                                              .lanes = lanes,
+                                                              .force = force});
     // each by the rank whose column it stands in, nothing on the others
     std::vector<double> sums;
     for (const V3<double>& f : forces_on_dummies_.copy_to_host()) sums.insert(sums.end(), {f.x, f.y, f.z});

@@ -43,38 +43,38 @@ std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left
     return static_cast<std::size_t>(all);
 }
 
-void GroupsOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
-                          const char* wanted) {
+void ClustersOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
+                            const char* wanted) {
     const auto n = static_cast<std::size_t>(columns.count());
-    cuda::launch(device_, cuda::CountGroups{order.start(), order.in_column(), wanted, before_.of(n)}, n);
+    cuda::launch(device_, cuda::CountClusters{order.start(), order.in_column(), wanted, before_.of(n)}, n);
     const auto count = static_cast<std::size_t>(before_.add_up());
-    groups_.resize(count), column_.resize(count);
-    cuda::launch(
-        device_,
-        cuda::MakeGroups{order.start(), order.in_column(), wanted, before_.before(), groups_.data(), column_.data()},
-        n);
-    cuda::launch(device_, cuda::CentreGroups{columns, places, column_.data(), groups_.data()}, count);
+    clusters_.resize(count), column_.resize(count);
+    cuda::launch(device_,
+                 cuda::MakeClusters{order.start(), order.in_column(), wanted, before_.before(), clusters_.data(),
+                                    column_.data()},
+                 n);
+    cuda::launch(device_, cuda::CentreClusters{columns, places, column_.data(), clusters_.data()}, count);
 }
 
-void ListsOnDevice::build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
-                          const cuda::Array<int>& column, cuda::Array<Group>& groups,
+void ListsOnDevice::build(const Columns& columns, const Columns& of_clusters, const PlaceRecord* places,
+                          const cuda::Array<int>& column, cuda::Array<Cluster>& clusters,
                           const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
-                          ListRef Group::*list) {
+                          ListRef Cluster::*list) {
     sources_.take(sources);
     cuda::SearchNeighbours search{.columns = columns,
-                                  .of_groups = of_groups,
+                                  .of_clusters = of_clusters,
                                   .places = places,
                                   .column = column.data(),
-                                  .groups = groups.data(),
+                                  .clusters = clusters.data(),
                                   .sources = sources_.data(),
                                   .source_count = static_cast<int>(sources.size()),
                                   .reach = fixed_point.far + fixed_point.stale,
                                   .reaches = fixed_point,
                                   .write = false,
-                                  .count = count_.of(groups.size()),
+                                  .count = count_.of(clusters.size()),
                                   .blocks = nullptr,
                                   .list = list};
-    const auto run = [&] { cuda::launch_pairs(device_, search, groups); };
+    const auto run = [&] { cuda::launch_pairs(device_, search, clusters); };
     run();
     blocks_.resize(static_cast<std::size_t>(count_.add_up()));
     search.write = true, search.count = count_.before(), search.blocks = blocks_.data();
@@ -91,10 +91,10 @@ std::int64_t ListsOnDevice::live() const {
     return live;
 }
 
-std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<std::int32_t>& start) {
+std::vector<int> columns_of(const std::vector<Cluster>& clusters, const std::vector<std::int32_t>& start) {
     std::vector<int> column;
     std::size_t c = 0;
-    for (const Group& g : groups) {
+    for (const Cluster& g : clusters) {
         while (start[c + 1] <= g.first) ++c;
         column.push_back(static_cast<int>(c));
     }

@@ -66,37 +66,38 @@ inline cuda::Bins bins_of(const Columns& grid, double dp, double quantum) {
     return {grid, height, static_cast<int>(grid.height / height) + 1};
 }
 
-/// Sorted places in groups, on a device.
-class GroupsOnDevice {
+/// Sorted places in clusters, on a device.
+class ClustersOnDevice {
 public:
-    explicit GroupsOnDevice(cuda::Device& device)
-        : device_(device), before_(device), groups_(device), column_(device) {}
+    explicit ClustersOnDevice(cuda::Device& device)
+        : device_(device), before_(device), clusters_(device), column_(device) {}
     /// `wanted`: which columns; null: all.
     void make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
               const char* wanted = nullptr);
-    const cuda::Array<Group>& groups() const { return groups_; }
-    cuda::Array<Group>& groups() { return groups_; }
-    std::size_t size() const { return groups_.size(); }
-    const cuda::Array<int>& column() const { return column_; }  ///< of each group
-    std::size_t bytes() const { return before_.bytes() + groups_.bytes() + column_.bytes(); }
+    const cuda::Array<Cluster>& clusters() const { return clusters_; }
+    cuda::Array<Cluster>& clusters() { return clusters_; }
+    std::size_t size() const { return clusters_.size(); }
+    const cuda::Array<int>& column() const { return column_; }  ///< of each cluster
+    std::size_t bytes() const { return before_.bytes() + clusters_.bytes() + column_.bytes(); }
 
 private:
     cuda::Device& device_;
     RunningSum before_;
-    cuda::Array<Group> groups_;
+    cuda::Array<Cluster> clusters_;
     cuda::Array<int> column_;
 };
 
-/// Lists of the neighbours of groups, on a device.
+/// Lists of the neighbours of clusters, on a device.
 class ListsOnDevice {
 public:
     explicit ListsOnDevice(cuda::Device& device)
         : device_(device), count_(device), blocks_(device), chunk_(device), sources_(device) {}
-    /// Of all `groups`, of which the k-th is in the column column[k] of `of_groups`, among sources sorted by `columns`.
-    void build(const Columns& columns, const Columns& of_groups, const PlaceRecord* places,
-               const cuda::Array<int>& column, cuda::Array<Group>& groups,
+    /// Of all `clusters`, of which the k-th is in the column column[k] of `of_clusters`, among sources sorted by
+    /// `columns`.
+    void build(const Columns& columns, const Columns& of_clusters, const PlaceRecord* places,
+               const cuda::Array<int>& column, cuda::Array<Cluster>& clusters,
                const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
-               ListRef Group::*list = &Group::list);
+               ListRef Cluster::*list = &Cluster::list);
     Lists view() const { return {chunk_.data()}; }
     const NeighbourBlock* blocks() const { return blocks_.data(); }
     std::int64_t live() const;  ///< marks of all blocks
@@ -110,7 +111,7 @@ private:
     cuda::Array<cuda::DeviceSource> sources_;
 };
 
-/// The column in which each of a host's groups stands; `start`: first place of each column.
-std::vector<int> columns_of(const std::vector<Group>& groups, const std::vector<std::int32_t>& start);
+/// The column in which each of a host's clusters stands; `start`: first place of each column.
+std::vector<int> columns_of(const std::vector<Cluster>& clusters, const std::vector<std::int32_t>& start);
 
 }  // namespace tw

@@ -44,24 +44,24 @@ double LoopsOnDevice::largest(const char* kernel, const void* value, std::size_t
     return home.empty() ? 0 : *std::ranges::max_element(home);
 }
 
-void LoopsOnDevice::pairs(const char* kernel, const void* view, std::span<const Group> groups) {
-    const Group* first = groups.data();
-    int count = static_cast<int>(groups.size());
+void LoopsOnDevice::pairs(const char* kernel, const void* view, std::span<const Cluster> clusters) {
+    const Cluster* first = clusters.data();
+    int count = static_cast<int>(clusters.size());
     void* arguments[] = {place(view), &first, &count};
-    device_->launch(kernel, groups.size() * cuda::warp, arguments);
+    device_->launch(kernel, clusters.size() * cuda::warp, arguments);
 }
 
-/// How many groups were chosen the device alone knows: nobody waits for it.
-void LoopsOnDevice::pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups,
-                                Group* chosen, const char* kernel, const void* view) {
+/// How many clusters were chosen the device alone knows: nobody waits for it.
+void LoopsOnDevice::pairs_where(const char* choose_kernel, const void* condition, std::span<const Cluster> clusters,
+                                Cluster* chosen, const char* kernel, const void* view) {
     count_.resize(1);
     count_.set_zero();
-    const Group* of = groups.data();
+    const Cluster* of = clusters.data();
     int* count = count_.data();
-    std::size_t n = groups.size();
+    std::size_t n = clusters.size();
     void* to_choose[] = {place(condition), &of, &chosen, &count, &n};
     device_->launch(choose_kernel, n, to_choose);
-    const Group* first = chosen;
+    const Cluster* first = chosen;
     void* arguments[] = {place(view), &first, &count};
     device_->launch(kernel, n * cuda::warp, arguments);
 }

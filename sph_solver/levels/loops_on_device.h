@@ -14,9 +14,9 @@ public:
         : device_(std::move(device)), parts_(*device_), count_(*device_), halo_(*device_), dummies_halo_(*device_) {}
     void each(const char* kernel, const void* body, std::size_t count) override;
     double largest(const char* kernel, const void* value, std::size_t count) override;
-    void pairs(const char* kernel, const void* view, std::span<const Group> groups) override;
-    void pairs_where(const char* choose_kernel, const void* condition, std::span<const Group> groups, Group* chosen,
-                     const char* kernel, const void* view) override;
+    void pairs(const char* kernel, const void* view, std::span<const Cluster> clusters) override;
+    void pairs_where(const char* choose_kernel, const void* condition, std::span<const Cluster> clusters,
+                     Cluster* chosen, const char* kernel, const void* view) override;
     std::unique_ptr<RoomOnDevice> make_room() override;
     void exchange(const Halo& halo, void* values, std::size_t bytes) override;
     /// Of the particles and of the dummies, from now on.
@@ -30,7 +30,7 @@ public:
 private:
     std::shared_ptr<cuda::Device> device_;
     cuda::Array<double> parts_;
-    cuda::Array<int> count_;  ///< of chosen groups
+    cuda::Array<int> count_;  ///< of chosen clusters
     HaloOnDevice halo_, dummies_halo_;
 };
 

@@ -1,4 +1,4 @@
-// Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, groups, lists, and
+// Who is whose neighbour in a level on a device: what crosses the domain's faces, sorting, images, clusters, lists, and
 // walls.
 #include <functional>
 #include <numeric>
@@ -20,7 +20,7 @@ void LevelOnDevice::make_lists(double drift) {
         cross_faces();
         sort_particles(on.left.data());
     }
-    if (!level_.walls.empty()) level_.walls.sort(level_.grid, level_.fixed_point, cuda::lanes_of_group);
+    if (!level_.walls.empty()) level_.walls.sort(level_.grid, level_.fixed_point, cuda::lanes_of_cluster);
     if (shared()) note_own();
     find_images(reach);
     Particles& p = level_.particles;
@@ -34,15 +34,15 @@ void LevelOnDevice::make_lists(double drift) {
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
     update_records();
-    on.groups.make(level_.grid, on.order, on.p.place.data(), or_null(on.own_columns));
+    on.clusters.make(level_.grid, on.order, on.p.place.data(), or_null(on.own_columns));
     const std::vector<cuda::DeviceSource> water = sources();
-    on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), water,
+    on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.column(), on.clusters.clusters(), water,
                    among / level_.fixed_point.size);
     if (!level_.walls.empty()) {
         if (level_.walls.move() || shared()) take_sorted_dummies();
         if (shared()) on.wall_p.set_zero();  // what no rank works out that holds them
         for (Arrays::Part& part : on.parts)
-            part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.column, part.groups,
+            part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.column, part.clusters,
                              water, to_walls / level_.fixed_point.size);
         find_walls(to_walls);
     }
@@ -50,8 +50,8 @@ void LevelOnDevice::make_lists(double drift) {
     home_ = order_is_home_ = false;
 }
 
-/// As RankShare::cross_and_hold. The host sees particles that are sent to other ranks, or may have come from them: those
-/// of columns that several ranks hold. All others stay where they are.
+/// As RankShare::cross_and_hold. The host sees particles that are sent to other ranks, or may have come from them:
+/// those of columns that several ranks hold. All others stay where they are.
 void LevelOnDevice::cross_and_hold(double reach) {
     Arrays& on = *on_;
     if (host_counts_ || share_.is_on_first()) {
@@ -140,10 +140,11 @@ void LevelOnDevice::take_own() {
 
 void LevelOnDevice::note_work() {
     Arrays& on = *on_;
-    const std::size_t n = on.groups.size();
+    const std::size_t n = on.clusters.size();
     cuda::launch(
         *device_,
-        cuda::WorkOfGroups{on.groups.groups().data(), on.lists.blocks(), on.wall_lists.blocks(), on.work.of(n)}, n);
+        cuda::WorkOfClusters{on.clusters.clusters().data(), on.lists.blocks(), on.wall_lists.blocks(), on.work.of(n)},
+        n);
     std::vector<int> work(n);
     on.work.give(work);
     share_.note_work(work);
@@ -160,14 +161,14 @@ std::vector<cuda::DeviceSource> LevelOnDevice::sources() const {
 StepMaker::Near LevelOnDevice::find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists&) {
     Arrays& on = *on_;
     const auto& of = static_cast<LevelOnDevice&>(other);
-    on.asking_others.copy(on.groups.groups());
-    on.lists_of_others.build(of.level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.asking_others,
+    on.asking_others.copy(on.clusters.clusters());
+    on.lists_of_others.build(of.level_.grid, level_.grid, on.p.place.data(), on.clusters.column(), on.asking_others,
                              of.sources(), reaches / level_.fixed_point.size);
     const std::size_t n = on.asking_others.size();
     on.near_others.resize(n);
     on.count.set_zero();
-    Group* const near = on.near_others.data();
-    cuda::launch_threads(*device_, n, cuda::HasNeighbours{}, static_cast<const Group*>(on.asking_others.data()), near,
+    Cluster* const near = on.near_others.data();
+    cuda::launch_threads(*device_, n, cuda::HasNeighbours{}, static_cast<const Cluster*>(on.asking_others.data()), near,
                          on.count.data(), n);
     return {on.lists_of_others.view(), {near, static_cast<std::size_t>(on.count.value(0))}};
 }
@@ -244,44 +245,46 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     for (const Arrays::Part& part : on.parts)
         dummies.push_back(
             {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
-    on.wall_lists.build(level_.grid, level_.grid, on.p.place.data(), on.groups.column(), on.groups.groups(), dummies,
-                        reaches / level_.fixed_point.size, &Group::wall_list);
-    const std::size_t groups = on.groups.size();
-    cuda::launch(*device_,
-                 cuda::CountWallLoads{on.groups.groups().data(), on.wall_lists.blocks(), on.body_end.data(),
-                                      static_cast<int>(on.body_end.size()), on.loads.of(groups), on.at_wall.of(groups)},
-                 groups);
+    on.wall_lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.column(), on.clusters.clusters(),
+                        dummies, reaches / level_.fixed_point.size, &Cluster::wall_list);
+    const std::size_t clusters = on.clusters.size();
+    cuda::launch(
+        *device_,
+        cuda::CountWallLoads{on.clusters.clusters().data(), on.wall_lists.blocks(), on.body_end.data(),
+                             static_cast<int>(on.body_end.size()), on.loads.of(clusters), on.at_wall.of(clusters)},
+        clusters);
     const auto loads = static_cast<std::size_t>(on.loads.add_up()),
                at_walls = static_cast<std::size_t>(on.at_wall.add_up());
     on.wall_load.resize(loads);
-    walls.group_loads().resize(loads);
-    on.groups_at_walls.resize(at_walls);
-    cuda::ListGroupsAtWalls list{.columns = level_.grid,
-                                 .column = on.groups.column().data(),
-                                 .first_load = on.loads.before(),
-                                 .at_wall = on.at_wall.numbers(),
-                                 .before = on.at_wall.before(),
-                                 .origin = {},
-                                 .quantum = level_.fixed_point.size,
-                                 .groups = on.groups.groups().data(),
-                                 .list = on.groups_at_walls.data()};
+    walls.cluster_loads().resize(loads);
+    on.clusters_at_walls.resize(at_walls);
+    cuda::ListClustersAtWalls list{.columns = level_.grid,
+                                   .column = on.clusters.column().data(),
+                                   .first_load = on.loads.before(),
+                                   .at_wall = on.at_wall.numbers(),
+                                   .before = on.at_wall.before(),
+                                   .origin = {},
+                                   .quantum = level_.fixed_point.size,
+                                   .clusters = on.clusters.clusters().data(),
+                                   .list = on.clusters_at_walls.data()};
     for (int a = 0; a < 3; ++a) list.origin[a] = level_.fixed_point.origin[a];
-    cuda::launch(*device_, list, groups);
-    std::vector<cuda::GroupAtWall> home(at_walls);
-    on.groups_at_walls.give(home);
-    level_.near.groups.clear(), centres_.clear();
-    for (const cuda::GroupAtWall& g : home) level_.near.groups.push_back(g.group), centres_.emplace_back(g.x, g.y, g.z);
+    cuda::launch(*device_, list, clusters);
+    std::vector<cuda::ClusterAtWall> home(at_walls);
+    on.clusters_at_walls.give(home);
+    level_.near.clusters.clear(), centres_.clear();
+    for (const cuda::ClusterAtWall& g : home)
+        level_.near.clusters.push_back(g.cluster), centres_.emplace_back(g.x, g.y, g.z);
     ask_walls(at_walls);
 }
 
-/// The host finds the wall nearest to each particle of the groups at walls.
-void LevelOnDevice::ask_walls(std::size_t groups) {
+/// The host finds the wall nearest to each particle of the clusters at walls.
+void LevelOnDevice::ask_walls(std::size_t clusters) {
     Arrays& on = *on_;
-    const std::size_t asked = groups * cuda::lanes_of_group;
+    const std::size_t asked = clusters * cuda::lanes_of_cluster;
     cuda::launch(*device_, cuda::NoWalls{on.p.all()}, on.p.size());
     on.near_walls.resize(asked), on.walls_found.resize(asked);
     cuda::launch(*device_,
-                 cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.groups_at_walls.data(), on.near_walls.data()},
+                 cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.clusters_at_walls.data(), on.near_walls.data()},
                  asked);
     std::vector<cuda::NearWall> near(asked);
     on.near_walls.give(near);

@@ -1,4 +1,4 @@
-// Who is whose neighbour in a level on a processor: sorting, images, groups, lists and wall normals; and the packed
+// Who is whose neighbour in a level on a processor: sorting, images, clusters, lists and wall normals; and the packed
 // arrays that the pair loops read.
 #include <algorithm>
 
@@ -20,8 +20,8 @@ void LevelOnProcessor::prune(double drift) {
     d.of = level_.particles.place.data();
     d.place = level_.particles.place.data();
     d.reach = level_.reach_among(drift) / level_.fixed_point.size;
-    for_pairs(level_.passes, d, level_.near.groups);
-    level_.walls.prune(level_.passes, level_.particles.place.data(), level_.near.groups,
+    for_pairs(level_.passes, d, level_.near.clusters);
+    level_.walls.prune(level_.passes, level_.particles.place.data(), level_.near.clusters,
                        level_.reach_to_walls(drift) / level_.fixed_point.size);
 }
 
@@ -58,16 +58,16 @@ void LevelOnProcessor::make_lists(double drift) {
     update_records();
 
     const std::vector<Source> own = sources();
-    make_groups(own.front(), level_.passes.lanes, level_.near.groups, share_.own_columns());
-    level_.near.lists.build(level_.passes, level_.fixed_point, own.front(), level_.near.groups, own, among);
+    make_clusters(own.front(), level_.passes.lanes, level_.near.clusters, share_.own_columns());
+    level_.near.lists.build(level_.passes, level_.fixed_point, own.front(), level_.near.clusters, own, among);
     if (!level_.walls.empty()) {
-        level_.walls.find_neighbours(level_.passes, level_.grid, level_.fixed_point, level_.near.groups, own, to_walls,
-                                     share_.own_columns());
+        level_.walls.find_neighbours(level_.passes, level_.grid, level_.fixed_point, level_.near.clusters, own,
+                                     to_walls, share_.own_columns());
         find_normals();
     }
     if (!shared) return;
     std::vector<int> work;
-    for (const Group& g : level_.near.groups) work.push_back(static_cast<int>(g.size * (1 + level_.live_pairs(g))));
+    for (const Cluster& g : level_.near.clusters) work.push_back(static_cast<int>(g.size * (1 + level_.live_pairs(g))));
     share_.note_work(work);
 }
 
@@ -75,7 +75,7 @@ void LevelOnProcessor::find_normals() {
     const double reach = level_.reach_of_normals();
     Particles& p = level_.particles;
     const FieldsView all = p.view();
-    for_groups(level_.near.groups, [&](const Group& g) {
+    for_clusters(level_.near.clusters, [&](const Cluster& g) {
         for (int l = 0; l < g.size; ++l) {
             const auto i = static_cast<std::size_t>(g.first + l);
             NearestWall near;
@@ -95,16 +95,16 @@ void LevelOnProcessor::find_normals() {
 
 std::int64_t LevelOnProcessor::live_pairs() const {
     std::int64_t pairs = 0;
-    for (const Group& g : level_.near.groups) pairs += level_.live_pairs(g) * g.size;
+    for (const Cluster& g : level_.near.clusters) pairs += level_.live_pairs(g) * g.size;
     return pairs;
 }
 
 StepMaker::Near LevelOnProcessor::find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) {
-    room.groups = level_.near.groups;
-    room.lists.build(level_.passes, level_.fixed_point, sources().front(), room.groups,
+    room.clusters = level_.near.clusters;
+    room.lists.build(level_.passes, level_.fixed_point, sources().front(), room.clusters,
                      static_cast<LevelOnProcessor&>(other).sources(), reaches);
-    std::erase_if(room.groups, [](const Group& g) { return g.list.size == 0; });
-    return {room.lists.view(), room.groups};
+    std::erase_if(room.clusters, [](const Cluster& g) { return g.list.size == 0; });
+    return {room.lists.view(), room.clusters};
 }
 
 }  // namespace tw

@@ -21,25 +21,25 @@ LevelOnDevice::LevelOnDevice(ParticleSystem& level, RankShare& share, std::share
     if (walls.empty()) return;
     for (const Walls::Part& part : walls.parts()) {
         on_->parts.push_back(
-            {part.first, cuda::Array<int>(d), cuda::Array<int>(d), cuda::Array<Group>(d), ListsOnDevice(d)});
+            {part.first, cuda::Array<int>(d), cuda::Array<int>(d), cuda::Array<Cluster>(d), ListsOnDevice(d)});
         on_->skins.push_back({0, cuda::Array<Corners>(d), cuda::Array<V3<double>>(d), cuda::Array<V3<double>>(d)});
     }
     take_sorted_dummies();
 }
 
-/// In their order and groups.
+/// In their order and clusters.
 void LevelOnDevice::take_sorted_dummies() {
     const Walls& walls = level_.walls;
     for (std::size_t b = 0; b < on_->parts.size(); ++b) {
         const Walls::Part& part = walls.parts()[b];
         Arrays::Part& on = on_->parts[b];
-        std::vector<Group> own;
+        std::vector<Cluster> own;
         if (shared())
-            make_groups({&level_.grid, walls.places().data() + part.first, &part.start, 0}, cuda::lanes_of_group, own,
-                        share_.own_columns());
-        const std::vector<Group>& groups = shared() ? own : part.groups;
-        on.start.take(part.start), on.groups.take(groups);
-        on.column.take(columns_of(groups, part.start));
+            make_clusters({&level_.grid, walls.places().data() + part.first, &part.start, 0}, cuda::lanes_of_cluster,
+                          own, share_.own_columns());
+        const std::vector<Cluster>& clusters = shared() ? own : part.clusters;
+        on.start.take(part.start), on.clusters.take(clusters);
+        on.column.take(columns_of(clusters, part.start));
     }
     on_->wall_place.take(walls.places());
     take_dummies();
@@ -120,8 +120,8 @@ void LevelOnDevice::bring_motion_home() {
 }
 
 std::int64_t LevelOnDevice::live_pairs() const {
-    // groups are full but for the last of each column
-    return cuda::lanes_of_group * (on_->lists.live() + on_->wall_lists.live());
+    // clusters are full but for the last of each column
+    return cuda::lanes_of_cluster * (on_->lists.live() + on_->wall_lists.live());
 }
 
 KindCounts LevelOnDevice::count(CountKinds kinds) {
@@ -147,19 +147,19 @@ void LevelOnDevice::prune(double drift) {
     d.lists = on.lists.view();
     d.of = d.place = on.p.place.data();
     d.reach = level_.reach_among(drift) / level_.fixed_point.size;
-    cuda::launch_pairs(*device_, d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.clusters.clusters());
     home_ = false;
     if (level_.walls.empty()) return;
     d.reach = level_.reach_to_walls(drift) / level_.fixed_point.size;
     for (const Arrays::Part& part : on.parts) {
         d.lists = part.lists.view();
         d.of = on.wall_place.data() + part.first;
-        cuda::launch_pairs(*device_, d, part.groups);
+        cuda::launch_pairs(*device_, d, part.clusters);
     }
     d.of = on.p.place.data(), d.place = on.wall_place.data();
     d.lists = on.wall_lists.view();
-    d.list = &Group::wall_list;
-    cuda::launch_pairs(*device_, d, on.groups.groups());
+    d.list = &Cluster::wall_list;
+    cuda::launch_pairs(*device_, d, on.clusters.clusters());
 }
 
 void LevelOnDevice::update_records() {
@@ -216,10 +216,10 @@ StepView LevelOnDevice::step_view(double t) {
     view.fields = on.p.all(), view.shift = on.p.shift_support.data();
     view.water = water(), view.dummies = walls();
     view.stress = on.p.gradient_pressure.data(), view.rate = on.p.rate.data();
-    view.groups = {on.groups.groups().data(), on.groups.size()};
+    view.clusters = {on.clusters.clusters().data(), on.clusters.size()};
     view.bodies.clear();
     for (const Arrays::Part& part : on.parts)
-        view.bodies.push_back({part.first, part.lists.view(), {part.groups.data(), part.groups.size()}});
+        view.bodies.push_back({part.first, part.lists.view(), {part.clusters.data(), part.clusters.size()}});
     view.sliding = or_null(on.sliding);
     view.links = on.links.data(), view.maps = on.maps.data();
     view.device = &loops_;
@@ -235,7 +235,7 @@ void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     d.stress = on.p.gradient_pressure.data(), d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data();
     d.other = other;
     d.carried = nullptr;
-    cuda::launch_pairs(*device_, d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.clusters.clusters());
     home_ = false;
 }
 
@@ -281,7 +281,7 @@ void LevelOnDevice::press_walls() {
         e.at = on.wall_place.data() + part.first;
         e.p = on.wall_p.data() + part.first;
         if (on.wall_acceleration.size() > 0) e.acceleration = on.wall_acceleration.data() + part.first;
-        cuda::launch_pairs(*device_, e, part.groups);
+        cuda::launch_pairs(*device_, e, part.clusters);
     }
 }
 
@@ -293,7 +293,7 @@ void LevelOnDevice::second_pair_loop(double t) {
     d.water = water(), d.walls = walls();
     d.leaving = or_null(on.p.wall_leaving);
     d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data(), d.wall_load = on.wall_load.data();
-    cuda::launch_pairs(*device_, d, on.groups.groups());
+    cuda::launch_pairs(*device_, d, on.clusters.clusters());
     home_ = false;
 }
 
@@ -301,7 +301,7 @@ void LevelOnDevice::exchange_rates() {
     loops_.halo().exchange({of_each(on_->p.rate.data()), of_each(on_->p.shift_support.data())});
 }
 
-void LevelOnDevice::copy_loads_to_host() { on_->wall_load.give(level_.walls.group_loads()); }
+void LevelOnDevice::copy_loads_to_host() { on_->wall_load.give(level_.walls.cluster_loads()); }
 
 std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     Arrays& on = *on_;

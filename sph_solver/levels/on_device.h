@@ -12,10 +12,10 @@
 
 namespace tw {
 
-/// A level whose steps are made by a graphics processor. In a step the host gets the loads of the groups at walls, the
-/// forces on the dummies of bodies that deform, the extremes, and the few particles that a wall has to hold; when lists
-/// are made, the places of those near walls, of which it finds the nearest; and at the edge of a zone who is to have
-/// daughters. It sends where the dummies are, and how bodies and the skins of those that deform move.
+/// A level whose steps are made by a graphics processor. In a step the host gets the loads of the clusters at walls,
+/// the forces on the dummies of bodies that deform, the extremes, and the few particles that a wall has to hold; when
+/// lists are made, the places of those near walls, of which it finds the nearest; and at the edge of a zone who is to
+/// have daughters. It sends where the dummies are, and how bodies and the skins of those that deform move.
 class LevelOnDevice : public StepMaker {
 public:
     /// Both must outlive this; lists are made afterwards.
@@ -47,7 +47,7 @@ public:
     void exchange_rates() override;
     void copy_loads_to_host() override;
 
-    Vec3 centre_of_group(std::size_t k) const override { return centres_[k]; }
+    Vec3 centre_of_cluster(std::size_t k) const override { return centres_[k]; }
     std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
     void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
     std::vector<Moved> move(const Move& of_host, const Hold& hold) override;
@@ -88,7 +88,7 @@ private:
     void sort_particles(const std::uint8_t* left);
     void find_images(double reach);
     void find_walls(const Reaches& reaches);
-    void ask_walls(std::size_t groups);
+    void ask_walls(std::size_t clusters);
     void refresh_images(double t, bool with_stress);
     void fetch(const std::vector<std::int32_t>& particles);
     void put_back(const std::vector<std::int32_t>& held);  ///< after the host has held them

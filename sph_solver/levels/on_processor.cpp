@@ -11,7 +11,7 @@ namespace tw {
 void LevelOnProcessor::first_pair_loop(const OtherSums* other) {
     FirstPairLoopData d = level_.first_pair_loop_data();
     d.other = other;
-    for_pairs(level_.passes, d, level_.near.groups);
+    for_pairs(level_.passes, d, level_.near.clusters);
 }
 
 void LevelOnProcessor::mark_surface() {
@@ -50,14 +50,14 @@ void LevelOnProcessor::press_walls() {
 }
 
 void LevelOnProcessor::second_pair_loop(double t) {
-    for_pairs(level_.passes, level_.second_pair_loop_data(t), level_.near.groups);
+    for_pairs(level_.passes, level_.second_pair_loop_data(t), level_.near.clusters);
 }
 
 // --- loads and the end of a step
 // --------------------------------------------------------------------------------------
 
-Vec3 LevelOnProcessor::centre_of_group(std::size_t k) const {
-    const Group& g = level_.near.groups[k];
+Vec3 LevelOnProcessor::centre_of_cluster(std::size_t k) const {
+    const Cluster& g = level_.near.clusters[k];
     const auto i = static_cast<std::size_t>(g.first);
     const Particles& p = level_.particles;
     const Quanta& q = level_.fixed_point;

@@ -40,7 +40,7 @@ public:
     }
     void copy_loads_to_host() override {}
 
-    Vec3 centre_of_group(std::size_t k) const override;
+    Vec3 centre_of_cluster(std::size_t k) const override;
     std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
     void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
     std::vector<Moved> move(const Move& by, const Hold& hold) override;

@@ -128,7 +128,7 @@ SecondPairLoopData ParticleSystem::second_pair_loop_data(double t) {
         .since_lists = static_cast<float>(near.life.age),
         .shift = particles.shift_support.data(),
         .rate = particles.rate.data(),
-        .wall_load = walls.group_loads().data(),
+        .wall_load = walls.cluster_loads().data(),
         .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
         .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h * s.rho0) : 0,
         .packing_reach = static_cast<float>(kernel.support() - s.dp / 2),
@@ -212,11 +212,11 @@ StepView ParticleSystem::step_view(double t, const Halo& halo) {
                   .stress = p.gradient_pressure.data(),
                   .rate = p.rate.data(),
                   .passes = passes,
-                  .groups = near.groups,
+                  .clusters = near.clusters,
                   .bodies = {},
                   .dummy_count = walls.size(),
                   .sliding = walls.sliding().empty() ? nullptr : walls.sliding().data(),
-                  .wall_load_count = walls.group_load_count(),
+                  .wall_load_count = walls.cluster_load_count(),
                   .links = ghosts.links().data(),
                   .maps = ghosts.maps().data(),
                   .ranks = ranks(),
@@ -261,7 +261,7 @@ double ParticleSystem::density_of_row() const {
     return setup.rho0 * around.gravity.norm() * setup.dp / (c0 * c0);
 }
 
-std::int64_t ParticleSystem::live_pairs(const Group& g) const {
+std::int64_t ParticleSystem::live_pairs(const Cluster& g) const {
     std::int64_t live = 0;
     const auto count = [&](const Lists& lists, const ListRef& list) {
         const NeighbourBlock* blocks = lists.blocks(list);
@@ -281,7 +281,7 @@ std::string ParticleSystem::text_of_failure(std::size_t i, const std::string& wh
 
 double ParticleSystem::bytes() const {
     double sum = double(near.lists.bytes() + walls.bytes() + ghosts.bytes() + particles.bytes());
-    sum += double(near.groups.capacity() * sizeof(Group));
+    sum += double(near.clusters.capacity() * sizeof(Cluster));
     for (const auto& effect : effects) sum += double(effect->bytes());
     return sum;
 }

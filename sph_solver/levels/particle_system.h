@@ -27,10 +27,10 @@ namespace tw {
 struct EffectOptions;
 
 /// Who stands where, and who meets whom. Where a device makes the steps only what the host has asked for is here, and
-/// of the groups those at walls.
+/// of the clusters those at walls.
 struct Neighbours {
     std::vector<std::int32_t> start;  ///< first particle of each column
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
     NeighbourLists lists;
     ListLife life;
 };
@@ -122,7 +122,7 @@ struct ParticleSystem {
     /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
     double density_of_row() const;
     const Comm& ranks() const { return around.ranks ? *around.ranks : Comm::alone(); }
-    std::int64_t live_pairs(const Group& g) const;  ///< that each of a group's particles meets, useful or not
+    std::int64_t live_pairs(const Cluster& g) const;  ///< that each of a cluster's particles meets, useful or not
     std::string text_of_failure(std::size_t i, const std::string& what) const;
     double bytes() const;  ///< of the host's memory
 };

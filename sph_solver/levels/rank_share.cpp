@@ -1,5 +1,5 @@
 // A level whose particles are shared by several ranks. Each owns whole columns, and holds copies of the columns round
-// them, all in the one order of the columns: so lists, groups, and the order of all sums over pairs are those of one
+// them, all in the one order of the columns: so lists, clusters, and the order of all sums over pairs are those of one
 // process, and so are the bits. A copy changes as its original does, but for sums over its neighbours, which the owner
 // sends (parallel/halo.h).
 #include <algorithm>
@@ -248,15 +248,15 @@ void RankShare::note_own() {
     level_.walls.set_halo(ranks(), columns_);
 }
 
-/// Groups are full but for the last of each column.
-void RankShare::note_work(std::span<const int> of_groups) {
+/// Clusters are full but for the last of each column.
+void RankShare::note_work(std::span<const int> of_clusters) {
     const std::size_t columns = level_.near.start.size() - 1;
     work_.assign(columns, 0);
     std::size_t k = 0;
     for (std::size_t c = 0; c < columns; ++c) {
         if (columns_.owner(static_cast<int>(c)) != ranks().rank()) continue;
         for (std::int32_t i = level_.near.start[c]; i < level_.near.start[c + 1]; i += level_.passes.lanes)
-            work_[c] += of_groups[k++];
+            work_[c] += of_clusters[k++];
     }
 }
 

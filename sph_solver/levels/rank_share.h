@@ -65,8 +65,8 @@ public:
     /// Of the columns with copies and of those of others.
     void hold_columns(const std::vector<std::int32_t>& staying);
     void note_own();
-    /// Pairs that the pair loops visit, of each group of the own columns.
-    void note_work(std::span<const int> of_groups);
+    /// Pairs that the pair loops visit, of each cluster of the own columns.
+    void note_work(std::span<const int> of_clusters);
 
     // --- what ranks exchange
     void exchange_first_sums();

@@ -8,12 +8,12 @@
 
 namespace tw {
 
-/// Points in the order and the groups in which the pair loops visit them, beside a level's particles.
+/// Points in the order and the clusters in which the pair loops visit them, beside a level's particles.
 struct SortedPlaces {
     ColumnGrid grid;
     std::vector<std::int32_t> order, start;  ///< order[k]: which point stands at k; first point of each column
     std::vector<PlaceRecord> places;
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
     NeighbourLists lists;
 
     /// `apart`: distance between points [spacings of the level]. `wanted`: which columns of them; empty: all.
@@ -26,7 +26,7 @@ struct SortedPlaces {
         places.resize(raw.size());
         for_particles(raw.size(),
                       [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].record(0); });
-        make_groups(sorted(), level.passes.lanes, groups, wanted);
+        make_clusters(sorted(), level.passes.lanes, clusters, wanted);
     }
     SortedPlaces(const SortedPlaces&) = delete;
 
@@ -34,7 +34,7 @@ struct SortedPlaces {
 
     /// Of a kernel, among a level's sources.
     void find_neighbours(const Kernel& kernel, const ParticleSystem& level, const std::vector<Source>& sources) {
-        lists.build(level.passes, level.fixed_point, sorted(), groups, sources, level.reaches_of_points(kernel));
+        lists.build(level.passes, level.fixed_point, sorted(), clusters, sources, level.reaches_of_points(kernel));
     }
 };
 

@@ -50,15 +50,16 @@ public:
     virtual void update_records() = 0;
     virtual void prune(double drift) = 0;         ///< lists kept, with those within reach during the drift
     virtual std::int64_t live_pairs() const = 0;  ///< that the pair loops visit
-    /// Those of its groups that have particles of another level within reach [m], with lists of these as Group::list.
+    /// Those of its clusters that have particles of another level within reach [m], with lists of these as
+    /// Cluster::list.
     struct Near {
         Lists lists{};
-        std::span<const Group> groups{};
+        std::span<const Cluster> clusters{};
     };
     /// `room`: keeps the lists on a processor; a device has room for one other level at a time.
     struct RoomForLists {
         NeighbourLists lists;
-        std::vector<Group> groups;
+        std::vector<Cluster> clusters;
     };
     virtual Near find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) = 0;
 
@@ -73,10 +74,10 @@ public:
     virtual void exchange_pressures() = 0;                     ///< of dummies
     virtual void second_pair_loop(double t) = 0;
     virtual void exchange_rates() = 0;      ///< once all have added to them, with the shift
-    virtual void copy_loads_to_host() = 0;  ///< of the groups at walls
+    virtual void copy_loads_to_host() = 0;  ///< of the clusters at walls
 
     // --- the loads
-    virtual Vec3 centre_of_group(std::size_t k) const = 0;  ///< of the host's groups [m]
+    virtual Vec3 centre_of_cluster(std::size_t k) const = 0;  ///< of the host's clusters [m]
     /// Particles for which the condition holds, completed by the arrays of who makes the steps; their state is at home
     /// then. Their indices, in ascending order.
     virtual std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) = 0;

@@ -4,7 +4,7 @@
 
 #include "sph_solver/device/kernel_of.h"
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
@@ -14,7 +14,7 @@ namespace tw {
 ///
 ///   F_j = sum_i V_i V_j (p_i + p_j) F_ij (x_j - x_i)
 ///
-/// over the level's own particles. Lane by lane of the groups in which the dummies are.
+/// over the level's own particles. Lane by lane of the clusters in which the dummies are.
 struct ForceOnDummies {
     WaterView water;
     WallView walls;
@@ -22,12 +22,12 @@ struct ForceOnDummies {
     std::size_t own;    ///< particles; images come after them
     std::size_t first;  ///< of the body's dummies among all
     Lists lists;
-    const Group* groups;
+    const Cluster* clusters;
     std::size_t lanes;
     V3<double>* force;  ///< of the body's dummies
 
     void operator()(std::size_t k) const {
-        const Group& g = groups[k / lanes];
+        const Cluster& g = clusters[k / lanes];
         const auto lane = static_cast<std::int32_t>(k % lanes);
         if (lane >= g.size) return;
         const auto dummy = static_cast<std::size_t>(g.first + lane);

@@ -67,12 +67,12 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places
 
 namespace {
 
-/// A box round a group [fixed-point units].
+/// A box round a cluster [fixed-point units].
 struct Bounds {
     std::int64_t lo[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, hi[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
 };
-/// `from`: the centre of the group's column.
-Bounds bounds(const PlaceRecord* places, const Group& g, const WidePlace& from) {
+/// `from`: the centre of the cluster's column.
+Bounds bounds(const PlaceRecord* places, const Cluster& g, const WidePlace& from) {
     const auto in_full = [](std::int32_t x, std::int64_t near) {
         return near + difference(x, static_cast<std::int32_t>(near));
     };
@@ -107,23 +107,23 @@ void order_coincident(const std::vector<WidePlace>& places, const std::vector<st
     });
 }
 
-void make_groups(const Source& source, int lanes, std::vector<Group>& groups,
-                 const std::function<bool(int column)>& wanted) {
+void make_clusters(const Source& source, int lanes, std::vector<Cluster>& clusters,
+                   const std::function<bool(int column)>& wanted) {
     const std::vector<std::int32_t>& start = *source.start;
-    groups.clear();
+    clusters.clear();
     std::vector<int> column;
     for (std::size_t c = 0; c + 1 < start.size(); ++c) {
         if (wanted && !wanted(static_cast<int>(c))) continue;
         for (std::int32_t i = start[c]; i < start[c + 1]; i += lanes) {
-            Group g;
+            Cluster g;
             g.first = i;
             g.size = std::min(lanes, start[c + 1] - i);
-            groups.push_back(g);
+            clusters.push_back(g);
             column.push_back(static_cast<int>(c));
         }
     }
-    for_particles(groups.size(), [&](std::size_t n) {
-        Group& g = groups[n];
+    for_particles(clusters.size(), [&](std::size_t n) {
+        Cluster& g = clusters[n];
         const Bounds box = bounds(source.places, g, source.grid->centre(column[n]));
         g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
         g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
@@ -133,8 +133,8 @@ void make_groups(const Source& source, int lanes, std::vector<Group>& groups,
 
 namespace {
 
-/// Looks for a group's neighbours column by column, for one group after another up a column: then what was too low for
-/// one group is too low for the next, and no column is searched from its ends again.
+/// Looks for a cluster's neighbours column by column, for one cluster after another up a column: then what was too low
+/// for one cluster is too low for the next, and no column is searched from its ends again.
 class Search {
 public:
     Search(double reach, const Source& source)
@@ -143,17 +143,18 @@ public:
     /// What comes next is not above what came last.
     void start_anew() { ++run_; }
 
-    /// Adds to `out` the places within reach of the group's particles. `own`: a height in full near the group's.
-    void collect(const Bounds& box, std::int64_t own, const GroupReach& group, const Passes& pass,
+    /// Adds to `out` the places within reach of the cluster's particles. `own`: a height in full near the cluster's.
+    void collect(const Bounds& box, std::int64_t own, const ClusterReach& cluster, const Passes& pass,
                  std::vector<NeighbourBlock>& out) {
         const auto r = static_cast<std::int64_t>(std::ceil(reach_));
-        const std::int64_t group_z = own + difference(group.z, static_cast<std::int32_t>(own));
+        const std::int64_t cluster_z = own + difference(cluster.z, static_cast<std::int32_t>(own));
         const int z1 = grid_.slab(box.hi[2] + r);
-        for (int cz = grid_.slab(box.lo[2] - r); cz <= z1; ++cz) collect_in_slab(cz, r, box, group_z, group, pass, out);
+        for (int cz = grid_.slab(box.lo[2] - r); cz <= z1; ++cz)
+            collect_in_slab(cz, r, box, cluster_z, cluster, pass, out);
     }
 
 private:
-    void collect_in_slab(int cz, std::int64_t r, const Bounds& box, std::int64_t group_z, const GroupReach& group,
+    void collect_in_slab(int cz, std::int64_t r, const Bounds& box, std::int64_t cluster_z, const ClusterReach& cluster,
                          const Passes& pass, std::vector<NeighbourBlock>& out) {
         const int x0 = grid_.column_x(box.lo[0] - r), x1 = grid_.column_x(box.hi[0] + r),
                   y1 = grid_.column_y(box.hi[1] + r);
@@ -176,7 +177,7 @@ private:
                 const std::int64_t top = box.hi[2] + up;
                 for (; p < end && below(*p, top + 1 - middle); p += 32) {
                     const int count = end - p < 32 ? static_cast<int>(end - p) : 32;
-                    const Reached near = pass.reached(group, p, all_end, count, top - group_z);
+                    const Reached near = pass.reached(cluster, p, all_end, count, top - cluster_z);
                     if (near.far == 0) continue;
                     out.push_back({source_.offset + static_cast<std::int32_t>(p - source_.places), near.now,
                                    near.far & ~near.sure});
@@ -213,10 +214,10 @@ private:
 }  // namespace
 
 void NeighbourLists::build(const Passes& pass, const Quanta& fixed_point, const Source& targets,
-                           std::vector<Group>& groups, const std::vector<Source>& sources, const Reaches& reaches,
-                           ListRef Group::*list) {
+                           std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
+                           ListRef Cluster::*list) {
     constexpr std::size_t per_chunk = 32;
-    const std::size_t chunks = (groups.size() + per_chunk - 1) / per_chunk;
+    const std::size_t chunks = (clusters.size() + per_chunk - 1) / per_chunk;
     chunks_.resize(chunks);
     starts_.resize(chunks);
     const Reaches in_fixed_point = reaches / fixed_point.size;
@@ -230,37 +231,37 @@ void NeighbourLists::build(const Passes& pass, const Quanta& fixed_point, const 
         scratch.clear();
         if (searches.empty())
             for (const Source& s : sources) searches.emplace_back(in_fixed_point.far + in_fixed_point.stale, s);
-        const std::size_t first = k * per_chunk, last = std::min(groups.size(), first + per_chunk);
+        const std::size_t first = k * per_chunk, last = std::min(clusters.size(), first + per_chunk);
         const std::vector<std::int32_t>& start = *targets.start;
-        const auto after = std::upper_bound(start.begin(), start.end(), groups[first].first);
+        const auto after = std::upper_bound(start.begin(), start.end(), clusters[first].first);
         int column = static_cast<int>(after - start.begin()) - 1;
         for (Search& s : searches) s.start_anew();
         for (std::size_t n = first; n < last; ++n) {
             const std::size_t before = scratch.size();
-            if (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) {
-                while (groups[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
+            if (clusters[n].first >= start[static_cast<std::size_t>(column) + 1]) {
+                while (clusters[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
                 for (Search& s : searches) s.start_anew();
             }
             const WidePlace centre = targets.grid->centre(column);
-            const Bounds box = bounds(targets.places, groups[n], centre);
-            const GroupReach group = pass.reach_of(targets.places, groups[n], in_fixed_point);
-            for (Search& s : searches) s.collect(box, centre.z, group, pass, scratch);
+            const Bounds box = bounds(targets.places, clusters[n], centre);
+            const ClusterReach cluster = pass.reach_of(targets.places, clusters[n], in_fixed_point);
+            for (Search& s : searches) s.collect(box, centre.z, cluster, pass, scratch);
             sizes[n - first] = static_cast<std::int32_t>(scratch.size() - before);
         }
         chunks_[k].assign(scratch.begin(), scratch.end());
         starts_[k] = chunks_[k].data();
         std::int32_t at = 0;
         for (std::size_t n = first; n < last; ++n) {
-            groups[n].*list = {static_cast<std::int32_t>(k), at, sizes[n - first]};
+            clusters[n].*list = {static_cast<std::int32_t>(k), at, sizes[n - first]};
             at += sizes[n - first];
         }
     });
 }
 
-std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
+std::int32_t number_wall_loads(std::vector<Cluster>& clusters, const Lists& walls,
                                const std::vector<std::int32_t>& body_end) {
     std::int32_t next = 0;
-    for (Group& g : groups) {
+    for (Cluster& g : clusters) {
         g.wall_load = g.wall_list.size > 0 ? next : -1;
         const NeighbourBlock* const blocks = walls.blocks(g.wall_list);
         std::int32_t before = -1;

@@ -63,22 +63,22 @@ struct Source {
 void order_coincident(const std::vector<WidePlace>& places, const std::vector<std::int32_t>& start,
                       const std::function<std::int64_t(std::int32_t)>& id, std::vector<std::int32_t>& order);
 
-/// Cuts each column of sorted places into groups of up to `lanes`. `wanted`: which columns; empty: all.
-void make_groups(const Source& places, int lanes, std::vector<Group>& groups,
-                 const std::function<bool(int column)>& wanted = {});
+/// Cuts each column of sorted places into clusters of up to `lanes`. `wanted`: which columns; empty: all.
+void make_clusters(const Source& places, int lanes, std::vector<Cluster>& clusters,
+                   const std::function<bool(int column)>& wanted = {});
 
-/// Gives every group with walls near its slots for loads, one for each body that it has in reach (see
+/// Gives every cluster with walls near its slots for loads, one for each body that it has in reach (see
 /// WallView::body_end); returns how many slots there are.
-std::int32_t number_wall_loads(std::vector<Group>& groups, const Lists& walls,
+std::int32_t number_wall_loads(std::vector<Cluster>& clusters, const Lists& walls,
                                const std::vector<std::int32_t>& body_end);
 
-/// Storage of neighbour lists; groups refer to it.
+/// Storage of neighbour lists; clusters refer to it.
 class NeighbourLists {
 public:
-    /// For every group, as its `list`, source by source, the indices of all source places within `reaches` [m]. The
-    /// groups are those of `targets`.
-    void build(const Passes& passes, const Quanta& fixed_point, const Source& targets, std::vector<Group>& groups,
-               const std::vector<Source>& sources, const Reaches& reaches, ListRef Group::*list = &Group::list);
+    /// For every cluster, as its `list`, source by source, the indices of all source places within `reaches` [m]. The
+    /// clusters are those of `targets`.
+    void build(const Passes& passes, const Quanta& fixed_point, const Source& targets, std::vector<Cluster>& clusters,
+               const std::vector<Source>& sources, const Reaches& reaches, ListRef Cluster::*list = &Cluster::list);
     /// Good until the lists are built anew or moved.
     Lists view() const { return {starts_.data()}; }
     const std::vector<std::vector<NeighbourBlock>>& chunks() const { return chunks_; }

@@ -64,11 +64,11 @@ struct Extrapolate {
 }  // namespace
 
 template <>
-void pass(const ExtrapolateData& d, const Group* groups, int count) {
+void pass(const ExtrapolateData& d, const Cluster* clusters, int count) {
     if (d.acceleration)
-        run<Extrapolate<Real>>(d, groups, count);
+        run<Extrapolate<Real>>(d, clusters, count);
     else
-        run<Extrapolate<float>>(d, groups, count);
+        run<Extrapolate<float>>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

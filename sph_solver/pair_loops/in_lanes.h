@@ -1,9 +1,9 @@
 #pragma once
-// How the pair loops run on a processor: a group's particles stand in the lanes of a vector (simd.h), and a thread goes
-// over the groups one after another. Part of pair_loop.h.
+// How the pair loops run on a processor: a cluster's particles stand in the lanes of a vector (simd.h), and a thread
+// goes over the clusters one after another. Part of pair_loop.h.
 //
 // TW_SLICES = 4 shares the neighbours out among four sums, which are added at the end, as a device does that lets 32
-// threads work on a group of eight (in_threads.h): the same numbers to the last bit, without the device.
+// threads work on a cluster of eight (in_threads.h): the same numbers to the last bit, without the device.
 #include "sph_solver/pair_loops/pair_loop_parts.h"
 #include "sph_solver/pair_loops/simd.h"
 
@@ -26,26 +26,26 @@ struct Math {
     static Real quotient(const Real& a, const Real& b) { return simd::quotient(a, b); }
 };
 
-inline int first_group() { return 0; }
-inline int next_group(int n) { return n + 1; }
+inline int first_cluster() { return 0; }
+inline int next_cluster(int n) { return n + 1; }
 
-/// A group's own particles (or points), one in each lane.
+/// A cluster's own particles (or points), one in each lane.
 struct Own {
-    const Group& group;
-    V3<Real> x;  ///< their places from the group's centre [2h]
+    const Cluster& cluster;
+    V3<Real> x;  ///< their places from the cluster's centre [2h]
 
     /// Any number of each of them: `value(i)`.
     template <class Value>
     Real each(Value&& value) const {
         Real r{};
-        for (int l = 0; l < lanes; ++l) r[l] = value(in_lane(group, l));
+        for (int l = 0; l < lanes; ++l) r[l] = value(in_lane(cluster, l));
         return r;
     }
     template <class Value>
     V3<Real> each_vector(Value&& value) const {
         V3<Real> r{};
         for (int l = 0; l < lanes; ++l) {
-            const V3<float> v = value(in_lane(group, l));
+            const V3<float> v = value(in_lane(cluster, l));
             r.x[l] = v.x, r.y[l] = v.y, r.z[l] = v.z;
         }
         return r;
@@ -53,15 +53,15 @@ struct Own {
     V3<Real> velocities(const VelocityDensityRecord* motion) const {
         return each_vector([&](int i) { return velocity(motion[i]); });
     }
-    /// Calls `body(i, l)` for every lane, those beyond the group's size with its last particle.
+    /// Calls `body(i, l)` for every lane, those beyond the cluster's size with its last particle.
     template <class Body>
     void for_every_lane(Body&& body) const {
-        for (int l = 0; l < lanes; ++l) body(in_lane(group, l), l);
+        for (int l = 0; l < lanes; ++l) body(in_lane(cluster, l), l);
     }
     /// Calls `body(i, l)` for each of them and its lane.
     template <class Body>
     void for_each(Body&& body) const {
-        for (int l = 0; l < group.size; ++l) body(group.first + l, l);
+        for (int l = 0; l < cluster.size; ++l) body(cluster.first + l, l);
     }
     /// Calls `body()` for all of them together.
     template <class Body>
@@ -73,11 +73,11 @@ struct Own {
     float sum(Value&& value) const {
         if constexpr (slices == 1) {
             float sum = 0;
-            for (int l = 0; l < group.size; ++l) sum += value(group.first + l, l);
+            for (int l = 0; l < cluster.size; ++l) sum += value(cluster.first + l, l);
             return sum;
         }
         float part[lanes] = {};
-        for (int l = 0; l < group.size; ++l) part[l] = value(group.first + l, l);
+        for (int l = 0; l < cluster.size; ++l) part[l] = value(cluster.first + l, l);
         for (int half = lanes / 2; half > 0; half /= 2)
             for (int l = 0; l < half; ++l) part[l] += part[l + half];
         return part[0];
@@ -98,7 +98,7 @@ inline Real closeness(const V3<Real>& x_i, const float* xyz) {
 struct alignas(64) Chunk {
     static constexpr int capacity = 256;
     static constexpr int ahead = 4;  // by so many pairs the distances run ahead
-    float xyz[capacity + ahead][4];  // relative to the group's centre [2h]; the fourth is G V
+    float xyz[capacity + ahead][4];  // relative to the cluster's centre [2h]; the fourth is G V
     Real t[capacity + ahead];        // closeness of each lane
     std::int32_t index[capacity + 16];
 };
@@ -108,7 +108,7 @@ typedef std::uint32_t U4 __attribute__((vector_size(16)));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
 /// Loads n neighbours, and zeros for the places beyond them whose distances are made and not used.
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Group& g, const Frame& frame) {
+inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Cluster& g, const Frame& frame) {
     for (int k = n; k < n + Chunk::ahead; ++k) *reinterpret_cast<F4*>(chunk.xyz[k]) = F4{};
     const U4 centre = (U4)I4{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
@@ -128,7 +128,7 @@ inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Grou
 template <class Body, class Which>
 [[gnu::always_inline]] inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, const ListRef& ref,
                                                       const Own& own, const Frame& frame, Body&& body, Which which) {
-    const Group& g = own.group;
+    const Cluster& g = own.cluster;
     const V3<Real>& x_i = own.x;
     const NeighbourBlock* const list = lists.blocks(ref);
     Chunk chunk;

@@ -1,5 +1,5 @@
 #pragma once
-// How the pair loops run on a device: the 32 threads of a warp work on one group of eight particles. Thread t has the
+// How the pair loops run on a device: the 32 threads of a warp work on one cluster of eight particles. Thread t has the
 // particle in lane t % 8 and every fourth neighbour, from its slice t / 8 on; the four sums of a lane are added at the
 // end, in an order of their own. So a neighbour is loaded once for eight threads and four neighbours stand side by
 // side. Part of pair_loop.h; the same numbers on a processor: in_lanes.h with TW_SLICES = 4.
@@ -52,12 +52,12 @@ struct Math {
 static constexpr int slices = 4;
 static_assert(lanes * slices == device::warp);
 
-inline int first_group() { return device::warp_index(); }
-inline int next_group(int n) { return n + device::warp_count(); }
+inline int first_cluster() { return device::warp_index(); }
+inline int next_cluster(int n) { return n + device::warp_count(); }
 
 /// As that of in_lanes.h, of which it says what is meant: here each thread does its lane's part.
 struct Own {
-    const Group& group;
+    const Cluster& cluster;
     V3<Real> x;
 
     static int lane() { return device::thread() % lanes; }
@@ -65,11 +65,11 @@ struct Own {
 
     template <class Value>
     Real each(Value&& value) const {
-        return value(in_lane(group, lane()));
+        return value(in_lane(cluster, lane()));
     }
     template <class Value>
     V3<Real> each_vector(Value&& value) const {
-        const V3<float> v = value(in_lane(group, lane()));
+        const V3<float> v = value(in_lane(cluster, lane()));
         return {v.x, v.y, v.z};
     }
     V3<Real> velocities(const VelocityDensityRecord* motion) const {
@@ -77,11 +77,11 @@ struct Own {
     }
     template <class Body>
     void for_every_lane(Body&& body) const {
-        body(in_lane(group, lane()), lane());
+        body(in_lane(cluster, lane()), lane());
     }
     template <class Body>
     void for_each(Body&& body) const {
-        if (slice() == 0 && lane() < group.size) body(group.first + lane(), lane());
+        if (slice() == 0 && lane() < cluster.size) body(cluster.first + lane(), lane());
     }
     template <class Body>
     void once(Body&& body) const {
@@ -89,7 +89,7 @@ struct Own {
     }
     template <class Value>
     float sum(Value&& value) const {
-        float part = lane() < group.size ? static_cast<float>(value(group.first + lane(), lane())) : 0.0f;
+        float part = lane() < cluster.size ? static_cast<float>(value(cluster.first + lane(), lane())) : 0.0f;
         for (int half = lanes / 2; half > 0; half /= 2) part += device::from_thread_xor(part, half);
         return part;
     }
@@ -100,7 +100,7 @@ inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, con
                                const Frame& frame, Body&& body, Which which) {
     constexpr int capacity = 256;  // as in in_lanes.h: where a chunk ends decides who is in which slice
     const NeighbourBlock* const list = lists.blocks(ref);
-    const Group& g = own.group;
+    const Cluster& g = own.cluster;
     std::int32_t* const index = device::room_of_warp<std::int32_t, capacity>();
     const int thread = device::thread();
     const std::uint32_t before = (1u << thread) - 1;

@@ -47,8 +47,8 @@ struct Interpolate {
 }  // namespace
 
 template <>
-void pass(const InterpolateData& d, const Group* groups, int count) {
-    run<Interpolate>(d, groups, count);
+void pass(const InterpolateData& d, const Cluster* clusters, int count) {
+    run<Interpolate>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

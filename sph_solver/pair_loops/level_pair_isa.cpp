@@ -82,12 +82,12 @@ struct PressOther {
 }  // namespace
 
 template <>
-void pass(const MeetOtherData& d, const Group* groups, int count) {
-    run<MeetOther>(d, groups, count);
+void pass(const MeetOtherData& d, const Cluster* clusters, int count) {
+    run<MeetOther>(d, clusters, count);
 }
 template <>
-void pass(const PressOtherData& d, const Group* groups, int count) {
-    run<PressOther>(d, groups, count);
+void pass(const PressOtherData& d, const Cluster* clusters, int count) {
+    run<PressOther>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

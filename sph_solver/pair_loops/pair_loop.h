@@ -1,20 +1,20 @@
 #pragma once
-// The loop over groups and their neighbours, once for all pair loops, for files that are compiled once per variant
+// The loop over clusters and their neighbours, once for all pair loops, for files that are compiled once per variant
 // (TW_ISA names it). Everything here has internal linkage and calls no inline function of the standard library: the
 // linker would be free to keep one file's AVX-512 copy for the whole program.
 //
-// A pair loop is a struct that holds the sums of one group and reads like the right-hand side of an equation:
+// A pair loop is a struct that holds the sums of one cluster and reads like the right-hand side of an equation:
 //
 //   struct StrainRate {
-//       StrainRate(const StrainRateData& d, const Own& i);    loads what the group's own particles bring
+//       StrainRate(const StrainRateData& d, const Own& i);    loads what the cluster's own particles bring
 //       void meet(std::int32_t j, const Met& ij);             adds what neighbour j gives
 //       void store(const Own& i);                             makes results of the sums and writes them
 //   };
-//   template <> void pass(const StrainRateData& d, const Group* g, int n) { run<StrainRate>(d, g, n); }
+//   template <> void pass(const StrainRateData& d, const Cluster* g, int n) { run<StrainRate>(d, g, n); }
 //
 // What else a pair loop may have, in the order of the calls, see `run`:
 //
-//   ListRef list(const Group& g) const;                       another list than the group's whole one
+//   ListRef list(const Cluster& g) const;                       another list than the cluster's whole one
 //   void meet_at_surface(const Met& ij);                      the neighbours at the free surface, once more
 //   void reach_walls(const Own& i);                           where a wall is near: loads what the walls' sums want,
 //   void meet_beside_wall(const Met& ij);                     and the neighbours in the water once more
@@ -38,14 +38,14 @@ namespace TW_ISA {
 
 /// The pair loop of a view; specialised beside each pair loop.
 template <class View>
-void pass(const View&, const Group*, int count);
+void pass(const View&, const Cluster*, int count);
 
 namespace {
 
-/// Calls `f(part, slot, body)` for every body that the group has in reach: its part of the wall list, and the index of
-/// its WallLoad (-1: none).
+/// Calls `f(part, slot, body)` for every body that the cluster has in reach: its part of the wall list, and the index
+/// of its WallLoad (-1: none).
 template <class Function>
-[[gnu::always_inline]] inline void for_each_body(const WallView& d, const Group& g, Function&& f) {
+[[gnu::always_inline]] inline void for_each_body(const WallView& d, const Cluster& g, Function&& f) {
     const std::int32_t size = d.place ? g.wall_list.size : 0;
     const NeighbourBlock* const walls = size > 0 ? d.list.blocks(g.wall_list) : nullptr;
     std::int32_t slot = g.wall_load, body = 0;
@@ -60,7 +60,7 @@ template <class Function>
     }
 }
 
-/// Sum of the accelerations a of a group's active particles by the walls of a body, and of their moments about its
+/// Sum of the accelerations a of a cluster's active particles by the walls of a body, and of their moments about its
 /// centre.
 inline WallLoad load_of(const WaterView& d, const Own& own, const V3<Real>& a, std::int32_t body) {
     const V3<Real> m = cross(d.kernel.support_length * own.x, a);
@@ -70,9 +70,9 @@ inline WallLoad load_of(const WaterView& d, const Own& own, const V3<Real>& a, s
     return {sum(a.x), sum(a.y), sum(a.z), sum(m.x), sum(m.y), sum(m.z), body};
 }
 
-/// A group's list for sums that only its particles' rates want: empty where none of them follows the equations. Buffer
-/// particles, carried particles and those of inlet and outlet are a quarter to a half of all beside a hull.
-inline ListRef list_for_rates(const WaterView& d, const Group& g) {
+/// A cluster's list for sums that only its particles' rates want: empty where none of them follows the equations.
+/// Buffer particles, carried particles and those of inlet and outlet are a quarter to a half of all beside a hull.
+inline ListRef list_for_rates(const WaterView& d, const Cluster& g) {
     bool moved = d.kind == nullptr;
     for (int l = 0; l < g.size && !moved; ++l) moved = follows_the_equations(d.kind[g.first + l]);
     return moved ? g.list : ListRef{};
@@ -80,11 +80,11 @@ inline ListRef list_for_rates(const WaterView& d, const Group& g) {
 
 /// What stands for the particles' pressures, see tension_control.h.
 inline void control_tension(float from, const ShiftSupportRecord* shift, const Own& own, Real& p_i) {
-    if (from > 1.5f || own.group.wall_list.size > 0) return;
+    if (from > 1.5f || own.cluster.wall_list.size > 0) return;
     own.for_every_lane([&](int i, int l) { p_i[l] = tension_controlled(p_i[l], shift[i].support, from); });
 }
 
-inline Own own_places(const PlaceRecord* place, const Group& g, const Frame& frame) {
+inline Own own_places(const PlaceRecord* place, const Cluster& g, const Frame& frame) {
     Own own{g, {}};
     own.x = own.each_vector([&](int i) {
         const PlaceRecord& a = place[i];
@@ -95,7 +95,7 @@ inline Own own_places(const PlaceRecord* place, const Group& g, const Frame& fra
     return own;
 }
 
-/// The groups' own places, whom they meet, and the lists of these.
+/// The clusters' own places, whom they meet, and the lists of these.
 template <class Data>
 struct Meeting {
     const PlaceRecord *own, *place;
@@ -107,14 +107,14 @@ struct Meeting {
     }
 };
 
-/// Lets every group meet its neighbours. All that is called in it is inlined: sums stay in registers, and do not depend
-/// on the compiler's mood.
+/// Lets every cluster meet its neighbours. All that is called in it is inlined: sums stay in registers, and do not
+/// depend on the compiler's mood.
 template <class PairLoop, class Data>
-[[gnu::flatten]] void run(const Data& d, const Group* groups, int count) {
+[[gnu::flatten]] void run(const Data& d, const Cluster* clusters, int count) {
     const Frame frame = frame_of(d.water.kernel, d.water.quantum);
     const Meeting meeting(d);
-    for (int n = first_group(); n < count; n = next_group(n)) {
-        const Group& g = groups[n];
+    for (int n = first_cluster(); n < count; n = next_cluster(n)) {
+        const Cluster& g = clusters[n];
         const Own own = own_places(meeting.own, g, frame);
         const auto in_water = [&](const ListRef& list, auto&& meet, auto which) {
             for_each_neighbour(meeting.place, meeting.lists, list, own, frame, meet, which);

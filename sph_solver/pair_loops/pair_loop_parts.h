@@ -16,8 +16,8 @@ struct Frame {
 };
 inline Frame frame_of(const Kernel& kernel, float quantum) { return {quantum * kernel.inv_support, kernel.G}; }
 
-/// The particle in a lane; lanes beyond the group's size repeat the last one.
-inline int in_lane(const Group& g, int l) { return g.first + (l < g.size ? l : g.size - 1); }
+/// The particle in a lane; lanes beyond the cluster's size repeat the last one.
+inline int in_lane(const Cluster& g, int l) { return g.first + (l < g.size ? l : g.size - 1); }
 inline V3<float> velocity(const VelocityDensityRecord& r) { return {r.u, r.v, r.w}; }
 
 /// Which places of a block a loop visits: all live ones, or of these those at the free surface.

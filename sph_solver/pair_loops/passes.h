@@ -2,16 +2,16 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 
 namespace tw {
 
 struct PlaceRecord;
 
-/// One pair loop of one variant: a loop over `count` groups and their neighbours. What it reads and writes names it.
+/// One pair loop of one variant: a loop over `count` clusters and their neighbours. What it reads and writes names it.
 template <class View>
 struct Pass {
-    void (*run)(const View&, const Group*, int count) = nullptr;
+    void (*run)(const View&, const Cluster*, int count) = nullptr;
 };
 template <class... Views>
 struct PassTable : Pass<Views>... {};
@@ -27,22 +27,22 @@ using EffectPairLoops = PassTable<struct WaterVelocityData, struct ViscousForceD
 /// The pair loops of one variant: instruction set, lanes, exact or rough roots (sph_solver/CMakeLists.txt lists them).
 struct Passes {
     const char* isa = "";
-    int lanes = 0;  ///< largest size of a group
+    int lanes = 0;  ///< largest size of a cluster
     EnginePairLoops engine;
     EffectPairLoops effects;
-    GroupReach (*reach_of)(const PlaceRecord* places, const Group&, const Reaches& fixed_point) = nullptr;
-    /// Which of `count` <= 32 places sorted by z, those not above `top` (from the group's centre), are within the
-    /// reaches of a particle of the group. Reads no place from `end` on.
-    Reached (*reached)(const GroupReach&, const PlaceRecord* first, const PlaceRecord* end, int count,
+    ClusterReach (*reach_of)(const PlaceRecord* places, const Cluster&, const Reaches& fixed_point) = nullptr;
+    /// Which of `count` <= 32 places sorted by z, those not above `top` (from the cluster's centre), are within the
+    /// reaches of a particle of the cluster. Reads no place from `end` on.
+    Reached (*reached)(const ClusterReach&, const PlaceRecord* first, const PlaceRecord* end, int count,
                        std::int64_t top) = nullptr;
 
-    /// Runs the pair loop of a view on `count` groups.
+    /// Runs the pair loop of a view on `count` clusters.
     template <class View>
-    void run(const View& view, const Group* groups, int count) const {
+    void run(const View& view, const Cluster* clusters, int count) const {
         if constexpr (std::is_base_of_v<Pass<View>, EnginePairLoops>)
-            engine.Pass<View>::run(view, groups, count);
+            engine.Pass<View>::run(view, clusters, count);
         else
-            effects.Pass<View>::run(view, groups, count);
+            effects.Pass<View>::run(view, clusters, count);
     }
 };
 /// The default of this processor, or what TWINWAKE_ISA names; see choose_passes.h.

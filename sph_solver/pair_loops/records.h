@@ -38,8 +38,8 @@ struct OtherSums {
 struct alignas(16) RateRecord {
     float ax, ay, az, drho;
 };
-/// What the walls of one body do to one group, per unit of particle mass: sum of the accelerations, and of arm x
-/// acceleration about the group's centre (pair forces are central, so the arm may end at the fluid particle).
+/// What the walls of one body do to one cluster, per unit of particle mass: sum of the accelerations, and of arm x
+/// acceleration about the cluster's centre (pair forces are central, so the arm may end at the fluid particle).
 struct WallLoad {
     float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;
     std::int32_t body = 0;

@@ -19,8 +19,8 @@ namespace tw {
 namespace TW_ISA {
 namespace {
 
-/// First pair loop. The velocities are those that the last pressure has produced. In this order the sums that neighbours
-/// add to by several operations stay in registers (tools/check_pair_loops.py).
+/// First pair loop. The velocities are those that the last pressure has produced. In this order the sums that
+/// neighbours add to by several operations stay in registers (tools/check_pair_loops.py).
 template <bool walls_move>
 struct FirstPairLoop : FirstSums {
     using FirstSums::FirstSums;
@@ -36,7 +36,7 @@ struct FirstPairLoop : FirstSums {
     }
     void meet_beside_wall(const Met& ij) {
         wall_completeness.add(ij, n_i, touch);
-    }                                                // the same ones, of groups near a wall
+    }                                                // the same ones, of clusters near a wall
     void meet_wall(std::int32_t j, const Met& ij) {  // a dummy
         support += ij.V_W();
         shifting.add(ij, shift);
@@ -46,7 +46,7 @@ struct FirstPairLoop : FirstSums {
     void store(const Own& i) {
         scale();
         if (d.other) add_other_fluid(i);
-        if (i.group.wall_list.size > 0) add_walls(i);  // a wall compresses only water that it touches
+        if (i.cluster.wall_list.size > 0) add_walls(i);  // a wall compresses only water that it touches
         if (some_lack_support()) let_voids_close(i);   // at the surface water compresses only such water
         const V3<Real> grad = density_gradient(i);
         shift = shift_speed(i) * shift;
@@ -77,7 +77,7 @@ struct SecondPairLoop : SecondSums {
     }
     void store(const Own& i) const {
         Real drho = d.diffusion * diffusion;
-        if (d.packing > 0 && i.group.wall_list.size > 0) follow_packing(i, drho);  // crowded water beside a solid
+        if (d.packing > 0 && i.cluster.wall_list.size > 0) follow_packing(i, drho);  // crowded water beside a solid
         const V3<Real> a{water.x * inv_rho + a_wall.x + d.gx,                      // water + walls + gravity
                          water.y * inv_rho + a_wall.y + d.gy,                      //
                          water.z * inv_rho + a_wall.z + d.gz};
@@ -89,15 +89,15 @@ struct SecondPairLoop : SecondSums {
 }  // namespace
 
 template <>
-void pass(const FirstPairLoopData& d, const Group* groups, int count) {
+void pass(const FirstPairLoopData& d, const Cluster* clusters, int count) {
     if (d.walls.velocity)
-        run<FirstPairLoop<true>>(d, groups, count);
+        run<FirstPairLoop<true>>(d, clusters, count);
     else
-        run<FirstPairLoop<false>>(d, groups, count);
+        run<FirstPairLoop<false>>(d, clusters, count);
 }
 template <>
-void pass(const SecondPairLoopData& d, const Group* groups, int count) {
-    run<SecondPairLoop>(d, groups, count);
+void pass(const SecondPairLoopData& d, const Cluster* clusters, int count) {
+    run<SecondPairLoop>(d, clusters, count);
 }
 
 }  // namespace TW_ISA

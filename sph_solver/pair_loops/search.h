@@ -1,12 +1,12 @@
 #pragma once
 #include "sph_solver/pair_loops/reach.h"
 
-// Who is within reach of a group's particles: for lists that are made, and for those that hold already.
+// Who is within reach of a cluster's particles: for lists that are made, and for those that hold already.
 namespace tw {
 namespace TW_ISA {
 
-GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches) {
-    GroupReach r;
+ClusterReach reach_of(const PlaceRecord* places, const Cluster& g, const Reaches& reaches) {
+    ClusterReach r;
     for (int l = 0; l < lanes; ++l) note_lane(r, l, places[in_lane(g, l)], g);
     note_reaches(r, g, reaches);
     return r;
@@ -56,8 +56,8 @@ template <class Record>
 #endif
 }
 
-/// Squared distance of places from the nearest of the group's particles [fixed-point units^2].
-inline Real distance2(const GroupReach& g, const Places& q) {
+/// Squared distance of places from the nearest of the cluster's particles [fixed-point units^2].
+inline Real distance2(const ClusterReach& g, const Places& q) {
     const auto from = [](const Ints& a, std::int32_t b) {
         return __builtin_convertvector((Ints)((Words)a - static_cast<std::uint32_t>(b)), Real);
     };
@@ -66,7 +66,7 @@ inline Real distance2(const GroupReach& g, const Places& q) {
 
 }  // namespace
 
-Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top) {
+Reached reached(const ClusterReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top) {
     Reached r{0, 0, 0};
     for (int k = 0; k < count && difference(first[k].z, g.z) <= top; k += lanes) {
         PlaceRecord last[lanes];
@@ -87,15 +87,15 @@ Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord
 
 /// Asks the doubtful places only, gathered from their blocks, and hands the answers back to the blocks' bits.
 template <>
-void pass(const PruneData& d, const Group* groups, int count) {
+void pass(const PruneData& d, const Cluster* clusters, int count) {
     constexpr int capacity = 256;
     std::int32_t index[capacity + 16];
     unsigned char within[capacity / 8 + 8];
     for (int n = 0; n < count; ++n) {
-        const Group& g = groups[n];
+        const Cluster& g = clusters[n];
         const ListRef& list = g.*d.list;
         if (list.size == 0) continue;
-        const GroupReach own = reach_of(d.of, g, Reaches{0, d.reach, 0});
+        const ClusterReach own = reach_of(d.of, g, Reaches{0, d.reach, 0});
         const auto record = [&](int k) { return *reinterpret_cast<const I4*>(d.place + index[k]); };
         NeighbourBlock *block = d.lists.blocks(list), *const end = block + list.size;
         while (block != end) {

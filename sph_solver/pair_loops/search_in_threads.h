@@ -1,21 +1,21 @@
 #pragma once
 #include "sph_solver/pair_loops/reach.h"
 
-// Who is within reach of a group's particles, on a device: a thread asks for one place of a block.
+// Who is within reach of a cluster's particles, on a device: a thread asks for one place of a block.
 namespace tw {
 namespace TW_ISA {
 namespace {
 
-/// Of the warp's group.
-inline const GroupReach& reach_of_warp(const PlaceRecord* places, const Group& g, const Reaches& reaches) {
-    GroupReach& r = *device::room_of_warp<GroupReach, 1>();
+/// Of the warp's cluster.
+inline const ClusterReach& reach_of_warp(const PlaceRecord* places, const Cluster& g, const Reaches& reaches) {
+    ClusterReach& r = *device::room_of_warp<ClusterReach, 1>();
     device::sync_warp();
     if (const int l = device::thread(); l < lanes) note_lane(r, l, places[in_lane(g, l)], g);
     if (device::thread() == 0) note_reaches(r, g, reaches);
     device::sync_warp();
     return r;
 }
-inline float distance2(const GroupReach& g, const PlaceRecord& p) {
+inline float distance2(const ClusterReach& g, const PlaceRecord& p) {
     return distance2(g, static_cast<float>(difference(p.x, g.x)), static_cast<float>(difference(p.y, g.y)),
                      static_cast<float>(difference(p.z, g.z)))
         .v;
@@ -25,13 +25,13 @@ inline float distance2(const GroupReach& g, const PlaceRecord& p) {
 
 /// As that of search.h, which says more.
 template <>
-void pass(const PruneData& d, const Group* groups, int count) {
+void pass(const PruneData& d, const Cluster* clusters, int count) {
     const int thread = device::thread();
-    for (int n = first_group(); n < count; n = next_group(n)) {
-        const Group& g = groups[n];
+    for (int n = first_cluster(); n < count; n = next_cluster(n)) {
+        const Cluster& g = clusters[n];
         const ListRef& list = g.*d.list;
         if (list.size == 0) continue;
-        const GroupReach& own = reach_of_warp(d.of, g, Reaches{0, d.reach, 0});
+        const ClusterReach& own = reach_of_warp(d.of, g, Reaches{0, d.reach, 0});
         NeighbourBlock* const blocks = d.lists.blocks(list);
         for (int k = 0; k < list.size; ++k) {
             NeighbourBlock& b = blocks[k];

@@ -50,7 +50,7 @@ struct SecondSums {
         control_tension(d.tension_control_from, d.shift, i, p_i);
     }
 
-    ListRef list(const Group& g) const { return list_for_rates(d.water, g); }
+    ListRef list(const Cluster& g) const { return list_for_rates(d.water, g); }
     void sums(auto&& of) { of(diffusion, water, towards_surface); }
     /// What the dummies of one body give.
     struct OfBody {

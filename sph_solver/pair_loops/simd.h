@@ -3,9 +3,10 @@
 // two, on other machines whatever the compiler makes of it. The pair terms are written against `Real` and never see
 // this.
 //
-// Sixteen halve the operations a pair, but a group is visited by every neighbour of any of its particles, and a larger
-// group has more of those in vain (113 useful pairs a particle; lists with a slack of 0.2 dp hold 297 at h/dp = 1.5,
-// and 367 with sixteen). Processors that make a 512-bit operation of two halves lose by it: choose_passes.h measures.
+// Sixteen halve the operations a pair, but a cluster is visited by every neighbour of any of its particles, and a
+// larger cluster has more of those in vain (113 useful pairs a particle; lists with a slack of 0.2 dp hold 297 at h/dp
+// = 1.5, and 367 with sixteen). Processors that make a 512-bit operation of two halves lose by it: choose_passes.h
+// measures.
 //
 // Static: what is compiled for one instruction set must not serve another.
 #include <cmath>

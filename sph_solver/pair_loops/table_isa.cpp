@@ -5,9 +5,9 @@ namespace tw {
 namespace TW_ISA {
 
 template <class View>
-void pass(const View&, const Group*, int count);
-GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches);
-Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
+void pass(const View&, const Cluster*, int count);
+ClusterReach reach_of(const PlaceRecord* places, const Cluster& g, const Reaches& reaches);
+Reached reached(const ClusterReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
 
 namespace {
 

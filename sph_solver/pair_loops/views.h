@@ -6,14 +6,14 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/kernel.h"
-#include "sph_solver/pair_loops/groups.h"
+#include "sph_solver/pair_loops/clusters.h"
 #include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
 /// One level's particles and their mirror images, in one index space, and who of them meets whom.
 struct WaterView {
-    Lists list{};  ///< Group::list
+    Lists list{};  ///< Cluster::list
     const PlaceRecord* place = nullptr;
     const VelocityDensityRecord* motion = nullptr;
     const GradientPressureRecord* stress = nullptr;
@@ -31,22 +31,22 @@ struct WaterView {
 
 /// The walls' dummy particles, in an index space of their own.
 struct WallView {
-    Lists list{};                        ///< Group::wall_list
+    Lists list{};                        ///< Cluster::wall_list
     const PlaceRecord* place = nullptr;  ///< null: the pair loop meets none
     const float* p = nullptr;
     const WallVelocity* velocity = nullptr;  ///< null: all walls are at rest
     /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
-    /// group's wall blocks are ordered by body, none has dummies of two.
+    /// cluster's wall blocks are ordered by body, none has dummies of two.
     const std::int32_t* body_end = nullptr;
     int bodies = 1;
     const WallNormalRecord* normal = nullptr;  ///< of the particles
 };
 
-/// Which neighbours of the groups' lists are within reach.
+/// Which neighbours of the clusters' lists are within reach.
 struct PruneData {
     Lists lists;
-    ListRef Group::*list = &Group::list;
-    const PlaceRecord* of = nullptr;     ///< the groups' places
+    ListRef Cluster::*list = &Cluster::list;
+    const PlaceRecord* of = nullptr;     ///< the clusters' places
     const PlaceRecord* place = nullptr;  ///< those that the lists refer to
     double reach = 0;                    ///< [fixed-point units]
 };
@@ -77,7 +77,7 @@ struct SecondPairLoopData {
     ShiftSupportRecord* shift = nullptr;     ///< turned along the free surface
     RateRecord* rate = nullptr;              ///< gets the acceleration, and as drho what is not compression
     WallLoad* wall_load =
-        nullptr;                   ///< from Group::wall_load on one for each body that the group has in reach, in order
+        nullptr;  ///< from Cluster::wall_load on one for each body that the cluster has in reach, in order
     float diffusion = 0;           ///< delta c0 [m/s], see DensityDiffusion
     float packing = 0;             ///< k c0/h rho0 [kg/m3/s], see Packing; 0: off
     float packing_reach = 0;       ///< from a solid [m]
@@ -89,7 +89,7 @@ struct SecondPairLoopData {
 /// Pressure at points from the water round them: wall dummies, surface samples, probes; see wall_pressure.h.
 struct ExtrapolateData {
     WaterView water{};
-    Lists list{};                                    ///< of the points, in groups as particles are
+    Lists list{};                                    ///< of the points, in clusters as particles are
     const PlaceRecord* at = nullptr;                 ///< the points
     const WallAcceleration* acceleration = nullptr;  ///< of the points; null: at rest
     float* p = nullptr;                              ///< [Pa]

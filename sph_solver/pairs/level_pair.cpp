@@ -33,7 +33,7 @@ void LevelPair::meet(double t) {
                                 .list = side.near.lists,
                                 .inv_W_dp = side.level->first_pair_loop_data().inv_W_dp,
                                 .sums = side.sums.data()},
-                  side.near.groups);
+                  side.near.clusters);
     };
     sums_of(a, b, a_);
     sums_of(b, a, b_);
@@ -51,7 +51,7 @@ void LevelPair::press(double t) {
                                  .rate = own.rate,
                                  .viscosity = harmonic_mean(of_a, of_b),
                                  .tension_control_from = side.level->second_pair_loop_data(t).tension_control_from},
-                  side.near.groups);
+                  side.near.clusters);
     };
     press_on(a, b, a_);
     press_on(b, a, b_);
@@ -63,7 +63,7 @@ const OtherSums* LevelPair::sums_for(const Level& level) const {
 
 std::size_t LevelPair::bytes() const {
     const auto of = [](const Side& s) {
-        return s.room.lists.bytes() + s.room.groups.capacity() * sizeof(Group) + s.sums.bytes();
+        return s.room.lists.bytes() + s.room.clusters.capacity() * sizeof(Cluster) + s.sums.bytes();
     };
     return of(a_) + of(b_);
 }

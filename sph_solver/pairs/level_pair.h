@@ -44,7 +44,7 @@ public:
 private:
     struct Side {
         Level* level;
-        StepMaker::Near near;  ///< those of the level's groups that have the other one within reach
+        StepMaker::Near near;  ///< those of the level's clusters that have the other one within reach
         StepMaker::RoomForLists room;
         LoopArray<OtherSums> sums;
         explicit Side(Level& of) : level(&of) {}

@@ -1,7 +1,7 @@
-// The functions of the CUDA driver that twinwake calls, for a machine without one. "Device" memory comes from the host's
-// heap, filled with a pattern that is no number when it is allocated or an array there gets another length, between two
-// fences; every copy, clearing and launch is checked against what is allocated. Kernels are those of the variant
-// device_emulated and the loops of cuda/tasks.h, one index after another.
+// The functions of the CUDA driver that twinwake calls, for a machine without one. "Device" memory comes from the
+// host's heap, filled with a pattern that is no number when it is allocated or an array there gets another length,
+// between two fences; every copy, clearing and launch is checked against what is allocated. Kernels are those of the
+// variant device_emulated and the loops of cuda/tasks.h, one index after another.
 //
 // FAKE_CUDA (environment): words of "no_device", "old_device", "two_devices" (the first is too old),
 // "devices=N" (of which all can be used), "memory=N" (bytes of the
@@ -31,9 +31,9 @@
 
 namespace tw::in_fake_cuda {
 template <class View>
-void pass(const View&, const Group*, int count);
-GroupReach reach_of(const PlaceRecord* places, const Group& g, const Reaches& reaches);
-Reached reached(const GroupReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
+void pass(const View&, const Cluster*, int count);
+ClusterReach reach_of(const PlaceRecord* places, const Cluster& g, const Reaches& reaches);
+Reached reached(const ClusterReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
 }  // namespace tw::in_fake_cuda
 
 namespace {
@@ -95,11 +95,11 @@ int add_one(int* counter) { return (*counter)++; }
 
 template <class View>
 void run_pair_loop(void** a) {
-    in_fake_cuda::pass(argument<View>(a, 0), argument<const Group*>(a, 1), argument<int>(a, 2));
+    in_fake_cuda::pass(argument<View>(a, 0), argument<const Cluster*>(a, 1), argument<int>(a, 2));
 }
 template <class View>
 void run_pair_loop_of_chosen(void** a) {
-    in_fake_cuda::pass(argument<View>(a, 0), argument<const Group*>(a, 1), *argument<const int*>(a, 2));
+    in_fake_cuda::pass(argument<View>(a, 0), argument<const Cluster*>(a, 1), *argument<const int*>(a, 2));
 }
 template <class Task>
 void run_task(void** a) {
@@ -109,10 +109,10 @@ void run_task(void** a) {
 template <class Condition>
 void run_choice(void** a) {
     const auto& condition = argument<Condition>(a, 0);
-    const auto* groups = argument<const Group*>(a, 1);
+    const auto* clusters = argument<const Cluster*>(a, 1);
     // from the end: what comes of it must not depend on the order
     for (std::size_t k = argument<std::size_t>(a, 4); k-- > 0;)
-        if (condition(groups[k])) argument<Group*>(a, 2)[add_one(argument<int*>(a, 3))] = groups[k];
+        if (condition(clusters[k])) argument<Cluster*>(a, 2)[add_one(argument<int*>(a, 3))] = clusters[k];
 }
 template <class Task>
 void run_counting(void** a) {
@@ -122,7 +122,7 @@ void run_counting(void** a) {
 void search(void** a) {
     const auto& task = argument<cuda::SearchNeighbours>(a, 0);
     for (int n = 0; n < argument<int>(a, 2); ++n) {
-        const GroupReach own = in_fake_cuda::reach_of(task.places, task.groups[n], task.reaches);
+        const ClusterReach own = in_fake_cuda::reach_of(task.places, task.clusters[n], task.reaches);
         const auto ask = [&](const PlaceRecord* first, const PlaceRecord* end, int places, std::int64_t top) {
             return in_fake_cuda::reached(own, first, end, places, top);
         };

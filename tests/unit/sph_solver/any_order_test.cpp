@@ -8,7 +8,7 @@
 
 #include "meshes/generate.h"
 #include "sph_solver/air.h"
-#include "sph_solver/bodies/group_loads.h"
+#include "sph_solver/bodies/cluster_loads.h"
 #include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/effects/moving_tank.h"
 #include "sph_solver/measure/tank_balance.h"
@@ -118,28 +118,28 @@ TEST(AnyOrder, OfWhatATankThatMovesDoes) {
     EXPECT_EQ(row, row_of(true));
 }
 
-TEST(AnyOrder, OfTheGroupsThatLoadBodies) {
+TEST(AnyOrder, OfTheClustersThatLoadBodies) {
     constexpr int count = 500, bodies = 3;
     std::mt19937 random(5);
     std::normal_distribution<float> any(0, 100);
-    std::vector<std::vector<WallLoad>> of_group(count);  // every fifth group has no wall near
+    std::vector<std::vector<WallLoad>> of_cluster(count);  // every fifth cluster has no wall near
     for (int n = 0; n < count; ++n)
         for (int b = 0; b < n % 5 && b < bodies; ++b)
-            of_group[static_cast<std::size_t>(n)].push_back(
+            of_cluster[static_cast<std::size_t>(n)].push_back(
                 {any(random), any(random), any(random), any(random), any(random), any(random), b});
     const auto loads_in = [&](const std::vector<std::int32_t>& order) {
-        std::vector<Group> groups;
+        std::vector<Cluster> clusters;
         std::vector<WallLoad> loads;
         for (const std::int32_t n : order) {
-            const auto& own = of_group[static_cast<std::size_t>(n)];
-            Group& g = groups.emplace_back();
+            const auto& own = of_cluster[static_cast<std::size_t>(n)];
+            Cluster& g = clusters.emplace_back();
             g.first = n;
             if (!own.empty()) g.wall_load = static_cast<std::int32_t>(loads.size());
             loads.insert(loads.end(), own.begin(), own.end());
         }
         std::vector<PushSum> sums(bodies);
-        add_group_loads(
-            groups, loads, [](const Group& g) { return Vec3(0.1 * g.first, 0.3, -1.0 / (1 + g.first)); }, sums);
+        add_cluster_loads(
+            clusters, loads, [](const Cluster& g) { return Vec3(0.1 * g.first, 0.3, -1.0 / (1 + g.first)); }, sums);
         std::vector<double> values;
         for (const PushSum& sum : sums)
             for (const Vec3& v : {sum.push.value(), sum.turn.value()}) values.insert(values.end(), v.begin(), v.end());
@@ -149,7 +149,7 @@ TEST(AnyOrder, OfTheGroupsThatLoadBodies) {
     std::iota(in_order.begin(), in_order.end(), 0);
     const std::vector<double> loads = loads_in(in_order);
     double expected = 0;
-    for (const auto& own : of_group)
+    for (const auto& own : of_cluster)
         for (const WallLoad& w : own) expected += w.body == 1 ? double(w.ay) : 0;
     EXPECT_NEAR(loads[6 + 1], expected, 1e-9);
     EXPECT_EQ(loads, loads_in(shuffled(count)));

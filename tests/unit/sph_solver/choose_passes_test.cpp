@@ -117,11 +117,11 @@ Sums sums_with(const Passes& passes) {
     std::vector<ShiftSupportRecord> shift(place.size());
     std::vector<RateRecord> rate(place.size());
     const std::vector<std::uint32_t> surface(place.size() / 32 + 2, 0);
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
     NeighbourLists lists;
     const Source source{&grid, place.data(), &start, 0};
-    make_groups(source, passes.lanes, groups);
-    lists.build(passes, fixed_point, source, groups, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
+    make_clusters(source, passes.lanes, clusters);
+    lists.build(passes, fixed_point, source, clusters, {source}, {2.6 * h, 2.3 * h, 1.4 * h});
     const WaterView water{.list = lists.view(),
                           .place = place.data(),
                           .motion = motion.data(),
@@ -138,9 +138,9 @@ Sums sums_with(const Passes& passes) {
     prune.lists = lists.view();
     prune.of = prune.place = place.data();
     prune.reach = 2 * h / fixed_point.size;
-    const int count = static_cast<int>(groups.size());
-    passes.run(prune, groups.data(), count);
-    passes.run(first, groups.data(), count);
+    const int count = static_cast<int>(clusters.size());
+    passes.run(prune, clusters.data(), count);
+    passes.run(first, clusters.data(), count);
     Sums sums;
     sums.rate.resize(place.size()), sums.divergence.resize(place.size()), sums.support.resize(place.size());
     for (std::size_t k = 0; k < place.size(); ++k) {
@@ -148,7 +148,7 @@ Sums sums_with(const Passes& passes) {
         sums.divergence[i] = rate[k].drho, sums.support[i] = shift[k].support;
         stress[k].p = 400 * motion[k].drho;
     }
-    passes.run(second, groups.data(), count);
+    passes.run(second, clusters.data(), count);
     for (std::size_t k = 0; k < place.size(); ++k) sums.rate[static_cast<std::size_t>(order[k])] = rate[k];
     return sums;
 }

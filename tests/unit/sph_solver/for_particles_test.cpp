@@ -18,27 +18,27 @@ TEST(ForParticles, VisitsEverybodyOnce) {
     for_particles(0, [&](std::size_t) { FAIL(); });
 }
 
-TEST(ForGroups, VisitsEveryGroupOnce) {
-    std::vector<Group> groups(100);
+TEST(ForClusters, VisitsEveryClusterOnce) {
+    std::vector<Cluster> clusters(100);
     std::vector<int> visits(100, 0);
-    for (int k = 0; k < 100; ++k) groups[static_cast<std::size_t>(k)].first = k;
-    for_groups(groups, [&](const Group& g) { ++visits[static_cast<std::size_t>(g.first)]; });
+    for (int k = 0; k < 100; ++k) clusters[static_cast<std::size_t>(k)].first = k;
+    for_clusters(clusters, [&](const Cluster& g) { ++visits[static_cast<std::size_t>(g.first)]; });
     EXPECT_EQ(visits, std::vector<int>(100, 1));
 }
 
-TEST(ForPairs, GivesEveryGroupToThePassOnce) {
-    std::vector<Group> groups(100);
+TEST(ForPairs, GivesEveryClusterToThePassOnce) {
+    std::vector<Cluster> clusters(100);
     std::vector<int> visits(100, 0);
-    for (int k = 0; k < 100; ++k) groups[static_cast<std::size_t>(k)].first = k;
+    for (int k = 0; k < 100; ++k) clusters[static_cast<std::size_t>(k)].first = k;
     struct Data {
         int* visits;
     };
     struct PairLoops {
-        void run(const Data& d, const Group* g, int count) const {
+        void run(const Data& d, const Cluster* g, int count) const {
             for (int k = 0; k < count; ++k) ++d.visits[g[k].first];
         }
     };
-    for_pairs(PairLoops{}, Data{visits.data()}, groups);
+    for_pairs(PairLoops{}, Data{visits.data()}, clusters);
     EXPECT_EQ(visits, std::vector<int>(100, 1));
 }
 

@@ -10,7 +10,7 @@
 namespace tw {
 namespace lists_test {
 
-/// A cloud without any order, sorted and grouped as the solver does: some columns tall, some empty.
+/// A cloud without any order, sorted and cut into clusters as the solver does: some columns tall, some empty.
 struct Cloud {
     double dp = 0.1;
     Quanta fixed_point{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
@@ -18,7 +18,7 @@ struct Cloud {
                     passes().lanes};  // smaller than the cloud
     std::vector<PlaceRecord> places;
     std::vector<std::int32_t> start;
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
 
     Cloud() {
         std::mt19937 random(5);
@@ -31,11 +31,11 @@ struct Cloud {
         std::vector<std::int32_t> order;
         sort_by_column(grid, raw, order, start);
         for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
-        make_groups({&grid, places.data(), &start, 0}, passes().lanes, groups);
+        make_clusters({&grid, places.data(), &start, 0}, passes().lanes, clusters);
     }
-    /// Of place k from the nearest particle of the group, one of `targets` [m].
-    double distance(const Group& g, std::size_t k) const { return distance(places, g, k); }
-    double distance(const std::vector<PlaceRecord>& targets, const Group& g, std::size_t k) const {
+    /// Of place k from the nearest particle of the cluster, one of `targets` [m].
+    double distance(const Cluster& g, std::size_t k) const { return distance(places, g, k); }
+    double distance(const std::vector<PlaceRecord>& targets, const Cluster& g, std::size_t k) const {
         double least = 1e30;
         for (std::int32_t i = g.first; i < g.first + g.size; ++i) {
             const PlaceRecord &a = targets[static_cast<std::size_t>(i)], &b = places[k];
@@ -46,7 +46,7 @@ struct Cloud {
 };
 
 /// What a list says of every place: 0 not on it or not asked, 1 live, 2 doubtful, 3 both.
-std::vector<int> said_of_places(const Lists& lists, const Group& g, std::size_t places) {
+std::vector<int> said_of_places(const Lists& lists, const Cluster& g, std::size_t places) {
     std::vector<int> said(places, 0);
     const NeighbourBlock* const first = lists.blocks(g.list);
     for (const NeighbourBlock* b = first; b != first + g.list.size; ++b)
@@ -66,11 +66,11 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     Cloud cloud;
     const Reaches reaches{0.36, 0.31, 0.24};
     NeighbourLists lists;
-    lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
+    lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.clusters,
                 {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, reaches);
     const double rounding = 1e-5;
     int seen = 0;
-    for (const Group& g : cloud.groups) {
+    for (const Cluster& g : cloud.clusters) {
         const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
         for (std::size_t k = 0; k < said.size(); ++k) {
             const double d = cloud.distance(g, k);
@@ -86,7 +86,7 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
     EXPECT_GT(seen, 10000);
 }
 
-// As when one level's particles are looked for among another's: the groups' places are sorted by a grid of their own.
+// As when one level's particles are looked for among another's: the clusters' places are sorted by a grid of their own.
 TEST(NeighbourLists, HoldThemForPlacesSortedByColumnsOfAnotherWidth) {
     const Cloud cloud;
     for (const double factor : {0.5, 2.0}) {
@@ -98,14 +98,14 @@ TEST(NeighbourLists, HoldThemForPlacesSortedByColumnsOfAnotherWidth) {
         std::vector<PlaceRecord> places;
         for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
         const Source targets{&grid, places.data(), &start, 0};
-        std::vector<Group> groups;
-        make_groups(targets, passes().lanes, groups);
+        std::vector<Cluster> clusters;
+        make_clusters(targets, passes().lanes, clusters);
         const double reach = 0.31;
         NeighbourLists lists;
-        lists.build(passes(), cloud.fixed_point, targets, groups, {{&cloud.grid, cloud.places.data(), &cloud.start, 0}},
-                    {reach, reach, reach});
+        lists.build(passes(), cloud.fixed_point, targets, clusters,
+                    {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {reach, reach, reach});
         int seen = 0;
-        for (const Group& g : groups) {
+        for (const Cluster& g : clusters) {
             const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
             for (std::size_t k = 0; k < said.size(); ++k) {
                 const double d = cloud.distance(places, g, k);
@@ -122,7 +122,7 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     Cloud cloud;
     const double support = 0.3, skin = 0.06;
     NeighbourLists lists;
-    lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.groups,
+    lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.clusters,
                 {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
@@ -133,9 +133,9 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     d.lists = lists.view();
     d.of = d.place = cloud.places.data();
     d.reach = support / cloud.fixed_point.size;
-    passes().run(d, cloud.groups.data(), static_cast<int>(cloud.groups.size()));
+    passes().run(d, cloud.clusters.data(), static_cast<int>(cloud.clusters.size()));
     int came_or_went = 0;
-    for (const Group& g : cloud.groups) {
+    for (const Cluster& g : cloud.clusters) {
         const std::vector<int> said = said_of_places(lists.view(), g, cloud.places.size());
         for (std::size_t k = 0; k < said.size(); ++k)
             if (const double distance = cloud.distance(g, k); std::abs(distance / support - 1) > 1e-5) {

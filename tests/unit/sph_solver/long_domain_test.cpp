@@ -26,7 +26,7 @@ struct Row {
     std::vector<GradientPressureRecord> stress;
     std::vector<ShiftSupportRecord> shift;
     std::vector<RateRecord> rate;
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
     NeighbourLists lists;
 
     Row(int spacings, bool upright) : length(spacings) {
@@ -55,8 +55,8 @@ struct Row {
             motion.push_back(pattern[i % (period * rows)].motion);
         }
         const Source source{&grid, place.data(), &start, 0};
-        make_groups(source, passes().lanes, groups);
-        lists.build(passes(), fixed_point, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+        make_clusters(source, passes().lanes, clusters);
+        lists.build(passes(), fixed_point, source, clusters, {source}, {2 * h, 2 * h, 2 * h});
         stress.resize(place.size()), shift.resize(place.size()), rate.resize(place.size());
         FirstPairLoopData d{.water = {.list = lists.view(),
                                       .place = place.data(),
@@ -68,7 +68,7 @@ struct Row {
                             .shift = shift.data(),
                             .rate = rate.data()};
         d.inv_W_dp = static_cast<float>(1 / d.water.kernel.W(dp));
-        passes().run(d, groups.data(), static_cast<int>(groups.size()));
+        passes().run(d, clusters.data(), static_cast<int>(clusters.size()));
     }
     double distance(std::int32_t i, std::int32_t j) const {  // [dp]
         const WidePlace &a = raw[static_cast<std::size_t>(i)], &b = raw[static_cast<std::size_t>(j)];
@@ -78,28 +78,28 @@ struct Row {
 
 void expect_lists_as_by_hand(const Row& row) {
     int wrong = 0;
-    for (const Group& g : row.groups) {
+    for (const Cluster& g : row.clusters) {
         std::vector<std::int32_t> found, wanted;
         const NeighbourBlock* const blocks = row.lists.view().blocks(g.list);
         for (std::int32_t b = 0; b < g.list.size; ++b)
             for (std::int32_t bit = 0; bit < 32; ++bit)
                 if (blocks[b].live >> bit & 1u)
                     found.push_back(row.order[static_cast<std::size_t>(blocks[b].first + bit)]);
-        const auto of_group = [&](std::int32_t l) { return row.order[static_cast<std::size_t>(g.first + l)]; };
-        std::int32_t lowest = of_group(0), highest = lowest;
+        const auto of_cluster = [&](std::int32_t l) { return row.order[static_cast<std::size_t>(g.first + l)]; };
+        std::int32_t lowest = of_cluster(0), highest = lowest;
         for (std::int32_t l = 0; l < g.size; ++l)
-            lowest = std::min(lowest, of_group(l)), highest = std::max(highest, of_group(l));
+            lowest = std::min(lowest, of_cluster(l)), highest = std::max(highest, of_cluster(l));
         for (std::int32_t j = std::max(0, lowest - 5 * rows);
              j < std::min(static_cast<std::int32_t>(row.raw.size()), highest + 5 * rows); ++j)
             for (std::int32_t l = 0; l < g.size; ++l)
-                if (row.distance(of_group(l), j) < 2 * h / dp) {
+                if (row.distance(of_cluster(l), j) < 2 * h / dp) {
                     wanted.push_back(j);
                     break;
                 }
         std::sort(found.begin(), found.end());
         wrong += found != wanted;
     }
-    EXPECT_EQ(wrong, 0) << "of " << row.groups.size() << " groups";
+    EXPECT_EQ(wrong, 0) << "of " << row.clusters.size() << " clusters";
 }
 
 TEST(LongDomain, OfThirtyThousandSpacingsHasTheListsFoundByHandAndTheSameRatesEverywhere) {

@@ -34,7 +34,7 @@ struct Basin {
     std::vector<float> wall_p;
     std::vector<WallLoad> wall_load;
     std::vector<std::uint32_t> surface;
-    std::vector<Group> groups, wall_groups;
+    std::vector<Cluster> clusters, wall_clusters;
     NeighbourLists lists, wall_lists, of_walls;
     FirstPairLoopData first;
     SecondPairLoopData second;
@@ -77,11 +77,11 @@ struct Basin {
         for (std::size_t k = 0; k < wall_place.size(); ++k) wall_p.push_back(600);
         shift.resize(n), rate.resize(n), surface.assign(n / 32 + 2, 0);
         const Source water{&grid, place.data(), &start, 0};
-        make_groups(water, passes().lanes, groups);
+        make_clusters(water, passes().lanes, clusters);
         const Reaches reaches{2 * h, 2 * h, 2 * h};
-        lists.build(passes(), fixed_point, water, groups, {water}, reaches);
-        wall_lists.build(passes(), fixed_point, water, groups, walls, reaches, &Group::wall_list);
-        wall_load.resize(static_cast<std::size_t>(number_wall_loads(groups, wall_lists.view(), body_end)));
+        lists.build(passes(), fixed_point, water, clusters, {water}, reaches);
+        wall_lists.build(passes(), fixed_point, water, clusters, walls, reaches, &Cluster::wall_list);
+        wall_load.resize(static_cast<std::size_t>(number_wall_loads(clusters, wall_lists.view(), body_end)));
         first.water = {.list = lists.view(),
                        .place = place.data(),
                        .motion = motion.data(),
@@ -115,10 +115,10 @@ struct Basin {
     void move(float u, float v, float w) {
         for (VelocityDensityRecord& r : motion) r.u += u, r.v += v, r.w += w;
     }
-    int count() const { return static_cast<int>(groups.size()); }
+    int count() const { return static_cast<int>(clusters.size()); }
     std::vector<RateRecord> continuity(const std::vector<WallVelocity>& of_walls_ = {}) {
         first.walls.velocity = of_walls_.empty() ? nullptr : of_walls_.data();
-        passes().run(first, groups.data(), count());
+        passes().run(first, clusters.data(), count());
         return rate;
     }
     /// [N]
@@ -130,7 +130,7 @@ struct Basin {
     }
     Vec3 moment_on(std::int32_t body) {
         Vec3 sum = Vec3::Zero();
-        for (const Group& g : groups)
+        for (const Cluster& g : clusters)
             for (std::int32_t k = g.wall_load; k >= 0 && k < slots_end(g); ++k) {
                 const WallLoad& l = wall_load[static_cast<std::size_t>(k)];
                 if (l.body != body) continue;
@@ -139,9 +139,9 @@ struct Basin {
             }
         return rho0 * dp * dp * dp * sum;
     }
-    std::int32_t slots_end(const Group& g) const {
+    std::int32_t slots_end(const Cluster& g) const {
         std::int32_t end = static_cast<std::int32_t>(wall_load.size());
-        for (const Group& other : groups)
+        for (const Cluster& other : clusters)
             if (other.wall_load > g.wall_load) end = std::min(end, other.wall_load);
         return end;
     }
@@ -200,10 +200,10 @@ struct Extrapolated {
     std::vector<float> p, support;
 };
 Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceleration) {
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
     const Source walls{&basin.grid, basin.wall_place.data(), &basin.wall_start[0], 0};
-    make_groups(walls, passes().lanes, groups);
-    basin.of_walls.build(passes(), basin.fixed_point, walls, groups,
+    make_clusters(walls, passes().lanes, clusters);
+    basin.of_walls.build(passes(), basin.fixed_point, walls, clusters,
                          {{&basin.grid, basin.place.data(), &basin.start, 0}}, {2 * h, 2 * h, 2 * h});
     Extrapolated r;
     r.p.resize(basin.wall_place.size()), r.support.resize(basin.wall_place.size());
@@ -214,7 +214,7 @@ Extrapolated to_walls(Basin& basin, const std::vector<WallAcceleration>& acceler
     e.acceleration = acceleration.empty() ? nullptr : acceleration.data();
     e.p = r.p.data(), e.support = r.support.data();
     e.gx = 0.3f, e.gz = -9.81f;
-    passes().run(e, groups.data(), static_cast<int>(groups.size()));
+    passes().run(e, clusters.data(), static_cast<int>(clusters.size()));
     return r;
 }
 
@@ -252,7 +252,7 @@ TEST(AcceleratedWalls, UpwardsBearMore) {
 
 TEST(BodyLoads, OfTwoBodiesAreThoseOfEachAlone) {
     Basin two(Basin::both), floor(Basin::floor_alone), plate(Basin::plate_alone);
-    for (Basin* basin : {&two, &floor, &plate}) passes().run(basin->second, basin->groups.data(), basin->count());
+    for (Basin* basin : {&two, &floor, &plate}) passes().run(basin->second, basin->clusters.data(), basin->count());
     EXPECT_GT(two.wall_load.size(), floor.wall_load.size());
     for (std::int32_t body : {0, 1}) {
         Basin& alone = body ? plate : floor;
@@ -268,8 +268,8 @@ TEST(BodyLoads, OfAllWallsAsOneBodyAreTheSumAndTheWaterFeelsTheSame) {
     Basin two, one;
     const std::int32_t end = two.body_end.back();
     one.second.walls.body_end = &end, one.second.walls.bodies = 1;
-    one.wall_load.resize(static_cast<std::size_t>(number_wall_loads(one.groups, one.wall_lists.view(), {end})));
-    for (Basin* basin : {&two, &one}) passes().run(basin->second, basin->groups.data(), basin->count());
+    one.wall_load.resize(static_cast<std::size_t>(number_wall_loads(one.clusters, one.wall_lists.view(), {end})));
+    for (Basin* basin : {&two, &one}) passes().run(basin->second, basin->clusters.data(), basin->count());
     EXPECT_LT((one.load_on(0) - two.load_on(0) - two.load_on(1)).norm(), 1e-6 * one.load_on(0).norm());
     double largest = 0;
     for (std::size_t i = 0; i < one.rate.size(); ++i) {
@@ -281,8 +281,8 @@ TEST(BodyLoads, OfAllWallsAsOneBodyAreTheSumAndTheWaterFeelsTheSame) {
     Basin without;  // no table of bodies: one body
     without.second.walls.body_end = nullptr, without.second.walls.bodies = 1;
     without.wall_load.resize(
-        static_cast<std::size_t>(number_wall_loads(without.groups, without.wall_lists.view(), {end})));
-    passes().run(without.second, without.groups.data(), without.count());
+        static_cast<std::size_t>(number_wall_loads(without.clusters, without.wall_lists.view(), {end})));
+    passes().run(without.second, without.clusters.data(), without.count());
     EXPECT_TRUE(same_bits(one.rate, without.rate));
     EXPECT_TRUE(same_bits(one.wall_load, without.wall_load));
 }

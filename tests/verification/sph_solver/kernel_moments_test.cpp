@@ -71,11 +71,11 @@ PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f)
         motion.push_back({0, 0, 0, static_cast<float>(f(x))});
         r.places.push_back(x);
     }
-    std::vector<Group> groups;
+    std::vector<Cluster> clusters;
     const Source source{&grid, sorted.data(), &start, 0};
-    make_groups(source, passes().lanes, groups);
+    make_clusters(source, passes().lanes, clusters);
     NeighbourLists lists;
-    lists.build(passes(), fixed_point, source, groups, {source}, {2 * h, 2 * h, 2 * h});
+    lists.build(passes(), fixed_point, source, clusters, {source}, {2 * h, 2 * h, 2 * h});
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
     std::vector<RateRecord> rate(sorted.size());
@@ -89,7 +89,7 @@ PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f)
                               .shift = r.shift.data(),
                               .rate = rate.data(),
                               .inv_W_dp = static_cast<float>(1 / kernel.W(dp))};
-    passes().run(d, groups.data(), static_cast<int>(groups.size()));
+    passes().run(d, clusters.data(), static_cast<int>(clusters.size()));
     return r;
 }
 
