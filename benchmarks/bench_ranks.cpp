@@ -39,7 +39,7 @@ void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
     const SphSetup setup = sph_setup(scene, threads, ranks);
     Simulation simulation(setup.simulation, setup.fluid);
     if (setup.control_volume) simulation.set_control_volume(*setup.control_volume);
-    for (int k = 0; k < 20; ++k) simulation.step();  // the columns are divided by their pairs by then
+    for (int k = 0; k < 20; ++k) simulation.step();  // the pencils are divided by their pairs by then
 
     const Comm::Traffic before = ranks.traffic();
     const std::int64_t lists_before = simulation.timers().rebuilds;

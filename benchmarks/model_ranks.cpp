@@ -1,9 +1,9 @@
-// What many ranks would bring: the columns of a scene are divided for real, on one machine, for 8 to 4096 ranks, and
+// What many ranks would bring: the pencils of a scene are divided for real, on one machine, for 8 to 4096 ranks, and
 // imbalance, copies and neighbours are counted; the time of a step is a model of these counts and of a stated machine.
 //
 //   build/benchmarks/model_ranks SCENE.toml [FINER] [FIGURE.svg]
 //
-// FINER (default 1): so many times finer in each direction than the scene, without making those particles: each column
+// FINER (default 1): so many times finer in each direction than the scene, without making those particles: each pencil
 // is cut into FINER x FINER and has their share of its work. One step of the scene is made, so that its pairs are
 // known. docs/decisions/067-ranks.md has the tables.
 #include <algorithm>
@@ -26,9 +26,9 @@ void model(const Scene& scene, int finer, const char* figure) {
     const SphSetup setup = sph_setup(scene, 0);
     Simulation simulation(setup.simulation, setup.fluid);
     simulation.step();
-    const std::vector<ColumnsOfSize> sizes = columns_of_water(simulation, finer);
+    const std::vector<PencilsOfSize> sizes = pencils_of_water(simulation, finer);
     double densest = 0;
-    for (const ColumnsOfSize& s : sizes) {
+    for (const PencilsOfSize& s : sizes) {
         densest = std::max(densest, s.all_work / s.all_particles);
         std::printf("%.3g particles, %d steps of one of the largest, %d columns\n", s.all_particles, s.steps,
                     s.grid.count());
@@ -39,14 +39,14 @@ void model(const Scene& scene, int finer, const char* figure) {
     std::printf("%6s | %-23s | %-11s | %10s | %9s | %9s | %s\n", "ranks", "imbalance of each size", "copies/own",
                 "neighbours", "work, ms", "talk, ms", "efficiency");
     double alone = 0;
-    for (const ColumnsOfSize& s : sizes) alone += s.steps * s.all_work / densest / machine.pace;
+    for (const PencilsOfSize& s : sizes) alone += s.steps * s.all_work / densest / machine.pace;
     PlotLine line;
     line.points = true;
     for (int ranks = 8; ranks <= 4096; ranks *= 2) {
         double work = 0, talk = 0, copies = 0, own = 0, neighbours = 0;
         bool possible = true;
         std::string imbalance;
-        for (const ColumnsOfSize& s : sizes) {
+        for (const PencilsOfSize& s : sizes) {
             const Division d = divide(s, setup.simulation.mirrors, ranks);
             possible = possible && d.possible;
             work += s.steps * d.imbalance * s.all_work / ranks / densest / machine.pace;

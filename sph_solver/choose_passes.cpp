@@ -15,8 +15,8 @@
 #include "record/this_machine.h"
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/equations/water_completeness.h"
-#include "sph_solver/neighbours/columns.h"
 #include "sph_solver/neighbours/list_life.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
@@ -31,7 +31,7 @@ class Block {
 public:
     explicit Block(const Passes& passes) : passes_(passes) {
         const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
-        const ColumnGrid grid({Vec3(0, 0, -floor * dp), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
+        const PencilGrid grid({Vec3(0, 0, -floor * dp), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
         std::mt19937 random(1);
         std::uniform_real_distribution<double> jitter(-0.1 * dp, 0.1 * dp);
         std::vector<WidePlace> water, dummies;
@@ -108,10 +108,10 @@ private:
     static Vec3 cell(int k, int lowest) {
         return dp * Vec3(k % edge + 0.5, k / edge % edge + 0.5, lowest + k / edge / edge + 0.5);
     }
-    static void sort(const ColumnGrid& grid, const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& places,
+    static void sort(const PencilGrid& grid, const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& places,
                      std::vector<std::int32_t>& start) {
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, order, start);
+        sort_by_pencil(grid, raw, order, start);
         for (const std::int32_t k : order)
             places.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
     }

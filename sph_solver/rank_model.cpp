@@ -10,15 +10,15 @@
 namespace tw {
 namespace {
 
-ColumnGrid cut(ColumnGrid grid, int finer) {
+PencilGrid cut(PencilGrid grid, int finer) {
     grid.width /= finer, grid.nx *= finer, grid.ny *= finer;
     return grid;
 }
 
 }  // namespace
 
-ColumnsOfSize columns_of(const Level& level, int finer, int steps) {
-    ColumnsOfSize s;
+PencilsOfSize pencils_of(const Level& level, int finer, int steps) {
+    PencilsOfSize s;
     s.grid = cut(level.grid(), finer);
     s.blocks = steps > 1 ? s.grid.scaled(2) : s.grid;
     s.steps = steps;
@@ -28,46 +28,46 @@ ColumnsOfSize columns_of(const Level& level, int finer, int steps) {
     s.reach = static_cast<std::int64_t>(reach * fixed_point.per_metre / finer) + 1;
     std::vector<std::int64_t> work(static_cast<std::size_t>(level.grid().count())), particles(work.size());
     const Particles& p = level.particles();
-    const auto column = [&](std::size_t i) {
+    const auto pencil = [&](std::size_t i) {
         return static_cast<std::size_t>(level.grid().of(fixed_point.wide({p.x[i], p.y[i], p.z[i]})));
     };
     for (const Cluster& g : level.clusters()) {
-        const std::size_t c = column(static_cast<std::size_t>(g.first));
+        const std::size_t c = pencil(static_cast<std::size_t>(g.first));
         work[c] += g.size * (1 + level.live_pairs(g)), particles[c] += g.size;
     }
     if (level.clusters().empty()) {
-        for (std::size_t i = 0; i < p.size(); ++i) ++particles[column(i)];
+        for (std::size_t i = 0; i < p.size(); ++i) ++particles[pencil(i)];
         work = particles;
     }
     s.work.resize(static_cast<std::size_t>(s.grid.count())), s.particles.resize(s.work.size());
     for (int c = 0; c < s.grid.count(); ++c) {
         const int x = c % s.grid.nx / finer, y = c / s.grid.nx % s.grid.ny / finer, z = c / s.grid.nx / s.grid.ny;
-        const auto of = static_cast<std::size_t>(level.grid().column(x, y, z));
+        const auto of = static_cast<std::size_t>(level.grid().pencil(x, y, z));
         const auto k = static_cast<std::size_t>(c);
-        s.work[k] = finer * work[of], s.particles[k] = finer * particles[of];  // finer^3 as many in finer^2 columns
+        s.work[k] = finer * work[of], s.particles[k] = finer * particles[of];  // finer^3 as many in finer^2 pencils
         s.all_work += double(s.work[k]), s.all_particles += double(s.particles[k]);
     }
     return s;
 }
 
-std::vector<ColumnsOfSize> columns_of_water(const Simulation& simulation, int finer) {
-    std::vector<ColumnsOfSize> sizes;
-    for (const auto& level : simulation.water()) sizes.push_back(columns_of(*level, finer, 1 << sizes.size()));
+std::vector<PencilsOfSize> pencils_of_water(const Simulation& simulation, int finer) {
+    std::vector<PencilsOfSize> sizes;
+    for (const auto& level : simulation.water()) sizes.push_back(pencils_of(*level, finer, 1 << sizes.size()));
     return sizes;
 }
 
-Division divide(const ColumnsOfSize& s, const Mirrors& mirrors, int ranks) {
+Division divide(const PencilsOfSize& s, const Mirrors& mirrors, int ranks) {
     Division d;
-    Decomposition columns(s.grid, s.blocks, s.work, ranks);
-    columns.find_holders(s.grid, mirrors, s.low, s.high, s.reach);
+    Decomposition pencils(s.grid, s.blocks, s.work, ranks);
+    pencils.find_holders(s.grid, mirrors, s.low, s.high, s.reach);
     std::vector<double> work(static_cast<std::size_t>(ranks)), own(work.size()), copies(work.size());
     std::vector<std::set<std::int32_t>> tells(work.size());
     for (int c = 0; c < s.grid.count(); ++c) {
         const auto k = static_cast<std::size_t>(c);
         if (s.particles[k] == 0) continue;
-        const auto owner = static_cast<std::size_t>(columns.owner(c));
+        const auto owner = static_cast<std::size_t>(pencils.owner(c));
         work[owner] += double(s.work[k]), own[owner] += double(s.particles[k]);
-        for (const std::int32_t r : columns.holders(c)) {
+        for (const std::int32_t r : pencils.holders(c)) {
             copies[static_cast<std::size_t>(r)] += double(s.particles[k]);
             tells[owner].insert(r);
         }

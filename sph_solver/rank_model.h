@@ -6,24 +6,24 @@
 
 namespace tw {
 
-/// What many ranks would make of a run, found on one machine: the columns are divided as the run divides them, and
+/// What many ranks would make of a run, found on one machine: the pencils are divided as the run divides them, and
 /// counted; the time of what ranks exchange is a model of these counts and of a stated machine
 /// (docs/decisions/067-ranks.md).
 
-/// Columns of one size of particles, and what stands in them.
-struct ColumnsOfSize {
-    ColumnGrid grid, blocks;
-    std::vector<std::int64_t> work, particles;  ///< of each column
+/// Pencils of one size of particles, and what stands in them.
+struct PencilsOfSize {
+    PencilGrid grid, blocks;
+    std::vector<std::int64_t> work, particles;  ///< of each pencil
     WidePlace low, high;
     std::int64_t reach;
     double all_work = 0, all_particles = 0;  ///< [-]
     int steps = 1;                           ///< of this size in one of the largest
 };
-/// `finer`: cut into finer x finer columns each, which share its work and its particles, finer^3 times as many. Work is
+/// `finer`: cut into finer x finer pencils each, which share its work and its particles, finer^3 times as many. Work is
 /// that of the pairs, or of the particles before the first step.
-ColumnsOfSize columns_of(const Level& level, int finer, int steps);
+PencilsOfSize pencils_of(const Level& level, int finer, int steps);
 /// Those of all sizes of water.
-std::vector<ColumnsOfSize> columns_of_water(const Simulation& simulation, int finer = 1);
+std::vector<PencilsOfSize> pencils_of_water(const Simulation& simulation, int finer = 1);
 
 /// What the division of one size between ranks comes to.
 struct Division {
@@ -34,7 +34,7 @@ struct Division {
     double all_copies = 0;     ///< [-]
     double neighbours = 0;     ///< of the rank with most [-]
 };
-Division divide(const ColumnsOfSize& columns, const Mirrors& mirrors, int ranks);
+Division divide(const PencilsOfSize& pencils, const Mirrors& mirrors, int ranks);
 
 /// The machine of the model: a rank is a core of a node with 64, which share a network card of 25 GB/s.
 struct MachineOfRanks {

@@ -90,7 +90,7 @@ Level& Simulation::add_gas(LevelSetup setup, const EffectOptions& effects, const
                .emplace_back(std::make_unique<Level>(*around_, std::move(setup), effects, Schedule(setup_.scheme),
                                                      *bodies_, *passes_, fluid))
                .get();
-    gas_->share_columns_with(level(0));
+    gas_->share_pencils_with(level(0));
     stepper_->add(*gas_);
     return *gas_;
 }

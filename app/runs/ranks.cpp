@@ -132,7 +132,7 @@ RanksTake ranks_take(const PlannedRun& plan, int option) {
         take.bytes_at_start += double(fluid.places.size()) * double(sizeof(fluid.places[0]) + sizeof(fluid.depth[0]));
 
     double all = 0, work = 0, talk = 0, largest_work = 0;
-    for (const ColumnsOfSize& size : columns_of_water(simulation)) {
+    for (const PencilsOfSize& size : pencils_of_water(simulation)) {
         const Division d = divide(size, setup.simulation.mirrors, take.ranks);
         take.particles += d.own_particles, take.copies += d.copies, all += size.all_particles;
         work += size.steps * size.all_work, largest_work += size.steps * d.imbalance * size.all_work;

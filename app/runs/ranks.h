@@ -18,7 +18,7 @@ void refuse_unshared(const PlannedRun& plan, int option);
 void refuse_unshared(const PlannedRun& plan, const RunCommand& command);
 
 /// What each of the ranks takes, in a line and for programs; of one rank a line alone. Throws InputError likewise, and
-/// where there are fewer columns of particles than ranks.
+/// where there are fewer pencils of particles than ranks.
 struct RanksTake {
     std::string line;
     int ranks = 1;

@@ -9,7 +9,7 @@
 namespace tw {
 
 Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-             const ColumnGrid& grid, const Quanta& fixed_point, int lanes)
+             const PencilGrid& grid, const Quanta& fixed_point, int lanes)
     : bodies_(bodies), two_dimensional_(around.dimensions == 2), loads_(bodies.size()) {
     Box region = around.domain;
     region.min.array() -= kernel_support;
@@ -30,7 +30,7 @@ Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup&
         std::vector<WidePlace> raw(d.places.size());
         for (std::size_t k = 0; k < raw.size(); ++k) raw[k] = fixed_point.wide(d.places[k]);
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, order, part.start);
+        sort_by_pencil(grid, raw, order, part.start);
         std::vector<Vec3> places;
         for (const std::int32_t n : order) {
             const auto k = static_cast<std::size_t>(n);
@@ -100,7 +100,7 @@ void Walls::feel(const FrameForce& f, const Vec3& gravity) {
     }
 }
 
-void Walls::sort(const ColumnGrid& grid, const Quanta& fixed_point, int lanes) {
+void Walls::sort(const PencilGrid& grid, const Quanta& fixed_point, int lanes) {
     if (!move()) return;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b]->fixed()) continue;
@@ -109,7 +109,7 @@ void Walls::sort(const ColumnGrid& grid, const Quanta& fixed_point, int lanes) {
         std::vector<WidePlace> raw;
         for (std::size_t k = 0; k < points.size(); ++k) raw.push_back(fixed_point.wide(points.place(k)));
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, order, part.start);
+        sort_by_pencil(grid, raw, order, part.start);
         const std::vector<PlaceRecord> place(place_.begin() + static_cast<std::ptrdiff_t>(part.first),
                                              place_.begin() + static_cast<std::ptrdiff_t>(end_of(b)));
         for (std::size_t k = 0; k < order.size(); ++k) {
@@ -128,9 +128,9 @@ Dummies Walls::dummies(std::size_t body) const {
     return d;
 }
 
-void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& fixed_point,
+void Walls::find_neighbours(const Passes& passes, const PencilGrid& grid, const Quanta& fixed_point,
                             std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
-                            const std::function<bool(int column)>& own) {
+                            const std::function<bool(int pencil)>& own) {
     std::vector<Source> dummies;
     for (const Part& part : parts_)
         dummies.push_back({&grid, place_.data() + part.first, &part.start, static_cast<std::int32_t>(part.first)});
@@ -148,10 +148,10 @@ void Walls::find_neighbours(const Passes& passes, const ColumnGrid& grid, const 
     cluster_loads_.resize(static_cast<std::size_t>(number_wall_loads(clusters, lists_.view(), body_end_)));
 }
 
-void Walls::set_halo(const Comm& ranks, const Decomposition& columns) {
+void Walls::set_halo(const Comm& ranks, const Decomposition& pencils) {
     std::vector<Halo::Sorted> dummies;
     for (const Part& part : parts_) dummies.push_back({&part.start, static_cast<std::int32_t>(part.first)});
-    halo_ = Halo(ranks, columns, dummies);
+    halo_ = Halo(ranks, pencils, dummies);
 }
 
 void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Cluster>& clusters,

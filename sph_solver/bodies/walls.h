@@ -8,7 +8,7 @@
 #include "sph_solver/domain/level_setup.h"
 #include "sph_solver/domain/surroundings.h"
 #include "sph_solver/loops/nearest_wall.h"
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/parallel/halo.h"
 
 namespace tw {
@@ -19,7 +19,7 @@ class Walls {
 public:
     /// `bodies` must outlive this. `kernel_support`: 2h of the level [m]; `lanes`: of its passes.
     Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-          const ColumnGrid& grid, const Quanta& fixed_point, int lanes);
+          const PencilGrid& grid, const Quanta& fixed_point, int lanes);
 
     bool empty() const { return place_.empty(); }
     std::size_t size() const { return place_.size(); }
@@ -36,10 +36,10 @@ public:
     Lists lists() const { return lists_.view(); }                     ///< of the level's clusters among the dummies
     const NeighbourLists& neighbour_lists() const { return lists_; }  ///< the same
 
-    /// The dummies of one body, sorted by column. Clusters and lists count from `first`.
+    /// The dummies of one body, sorted by pencil. Clusters and lists count from `first`.
     struct Part {
         std::size_t first = 0;            ///< of all dummies
-        std::vector<std::int32_t> start;  ///< first dummy of each column
+        std::vector<std::int32_t> start;  ///< first dummy of each pencil
         std::vector<Cluster> clusters;
         std::vector<Cluster> near_water;  ///< those that have water within reach
         NeighbourLists water;           ///< their neighbours among the level's particles
@@ -62,7 +62,7 @@ public:
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
     void follow(const Quanta& fixed_point);
     /// The same, with the dummies sorted anew; lists are due after it.
-    void sort(const ColumnGrid& grid, const Quanta& fixed_point, int lanes);
+    void sort(const PencilGrid& grid, const Quanta& fixed_point, int lanes);
     /// Adds gravity - f to the accelerations of the dummies, so that water at rest against them presses as under the
     /// force f of a tank that moves. After `follow`.
     void feel(const FrameForce& f, const Vec3& gravity);
@@ -71,12 +71,12 @@ public:
     Dummies dummies(std::size_t body) const;  ///< as they stood at the start; of one that deforms without places
 
     /// Lists anew: of the level's `clusters`, which are those of the first of its `sources`, among the dummies, and of
-    /// the dummies in the `own` columns among the sources.
-    void find_neighbours(const Passes& passes, const ColumnGrid& grid, const Quanta& fixed_point,
+    /// the dummies in the `own` pencils among the sources.
+    void find_neighbours(const Passes& passes, const PencilGrid& grid, const Quanta& fixed_point,
                          std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
-                         const std::function<bool(int column)>& own);
-    /// Who tells whom of dummies: each is worked out by the rank whose column it stands in.
-    void set_halo(const Comm& ranks, const Decomposition& columns);
+                         const std::function<bool(int pencil)>& own);
+    /// Who tells whom of dummies: each is worked out by the rank whose pencil it stands in.
+    void set_halo(const Comm& ranks, const Decomposition& pencils);
     const Halo& halo() const { return halo_; }
     /// Leaves in those lists who is within `reach` [fixed-point units] now.
     void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Cluster>& clusters, double reach);
@@ -104,7 +104,7 @@ private:
 
     const Bodies& bodies_;
     bool two_dimensional_, any_deformable_ = false, press_ = false;
-    std::vector<PlaceRecord> place_;  // body after body, each sorted by column
+    std::vector<PlaceRecord> place_;  // body after body, each sorted by pencil
     std::vector<float> p_;
     std::vector<VelocityDensityRecord> sliding_;
     // empty where all bodies are fixed; accelerations and points are there in a tank that moves, too

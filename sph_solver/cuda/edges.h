@@ -222,7 +222,7 @@ struct PutGiving {
         if (gives[i]) take.put(i, static_cast<std::size_t>(before[i]));
     }
 };
-/// The first of each column among those that give.
+/// The first of each pencil among those that give.
 struct StartGiving {
     const int* start;  ///< of all particles, or all images
     int stride;

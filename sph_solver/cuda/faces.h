@@ -5,7 +5,7 @@
 
 #include "sph_solver/fields/field_list.h"
 #include "sph_solver/loops/cross.h"
-#include "sph_solver/neighbours/column_grid.h"
+#include "sph_solver/neighbours/pencil_grid.h"
 
 namespace tw::cuda {
 

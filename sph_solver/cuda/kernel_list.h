@@ -63,7 +63,7 @@
     task(tw_pack_message,            cuda::PackMessage)          \
     task(tw_unpack_message,          cuda::UnpackMessage)        \
     task(tw_take_wide,               cuda::TakeWide)             \
-    task(tw_mark_in_columns,         cuda::MarkInColumns)        \
+    task(tw_mark_in_pencils,         cuda::MarkInPencils)        \
     task(tw_mark_own,                cuda::MarkOwn)              \
     task(tw_start_marked,            cuda::StartMarked)          \
     task(tw_places_ahead,            cuda::PlacesAhead)          \

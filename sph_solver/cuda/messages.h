@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "sph_solver/fields/field_list.h"
-#include "sph_solver/neighbours/column_grid.h"
+#include "sph_solver/neighbours/pencil_grid.h"
 
 namespace tw::cuda {
 
@@ -62,16 +62,16 @@ struct TakeWide {
 
     void operator()(std::size_t i) const { wide[i] = to_fixed_point.wide(p.x[i], p.y[i], p.z[i]); }
 };
-/// Marks those in the run of which another rank may have to hear, or the others: by the marks of their columns.
-struct MarkInColumns {
-    Columns columns;
+/// Marks those in the run of which another rank may have to hear, or the others: by the marks of their pencils.
+struct MarkInPencils {
+    Pencils pencils;
     const WidePlace* wide;
     const std::uint8_t* left;  ///< those are out of the run
-    const char* of_columns;
+    const char* of_pencils;
     char wanted;
     int* marks;
 
-    void operator()(std::size_t i) const { marks[i] = !left[i] && of_columns[columns.of(wide[i])] == wanted; }
+    void operator()(std::size_t i) const { marks[i] = !left[i] && of_pencils[pencils.of(wide[i])] == wanted; }
 };
 /// Takes the marks off those that are copies.
 struct MarkOwn {
@@ -80,7 +80,7 @@ struct MarkOwn {
 
     void operator()(std::size_t i) const { marks[i] = marks[i] && own[i]; }
 };
-/// How many of those before the first one of each column are marked.
+/// How many of those before the first one of each pencil are marked.
 struct StartMarked {
     const int* start;
     const int* before;

@@ -36,8 +36,8 @@ struct ClusterAtWall {
     double x, y, z;
 };
 struct ListClustersAtWalls {
-    Columns columns;
-    const int* column;
+    Pencils pencils;
+    const int* pencil;
     const int *first_load, *at_wall, *before;
     double origin[3], quantum;
     Cluster* clusters;
@@ -47,7 +47,7 @@ struct ListClustersAtWalls {
         Cluster& g = clusters[n];
         g.wall_load = at_wall[n] ? first_load[n] : -1;
         if (!at_wall[n]) return;
-        const WidePlace c = columns.centre(column[n]);
+        const WidePlace c = pencils.centre(pencil[n]);
         const auto metres = [&](std::int32_t q, std::int64_t near, double from) {
             return from + quantum * static_cast<double>(near + difference(q, static_cast<std::int32_t>(near)));
         };

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "sph_solver/cuda/sorting.h"
-#include "sph_solver/neighbours/column_grid.h"
+#include "sph_solver/neighbours/pencil_grid.h"
 #include "sph_solver/pair_loops/clusters.h"
 
 namespace tw::cuda {
@@ -12,11 +12,11 @@ namespace tw::cuda {
 /// Sorted places in which neighbours are looked for.
 struct DeviceSource {
     const PlaceRecord* places;
-    const int* start;  ///< first place of each column (times `stride`)
+    const int* start;  ///< first place of each pencil (times `stride`)
     int stride;
     std::int32_t offset;  ///< index of the first place in the pair loops' index space
 
-    int first_of(int column) const { return start[std::int64_t{column} * stride]; }
+    int first_of(int pencil) const { return start[std::int64_t{pencil} * stride]; }
 };
 
 /// Clusters that have some.
@@ -40,13 +40,13 @@ struct WorkOfClusters {
     }
 };
 
-/// Who is within reach of each cluster's particles, block by block as Search in neighbours/columns.cpp finds them. A
+/// Who is within reach of each cluster's particles, block by block as Search in neighbours/pencils.cpp finds them. A
 /// first run counts the blocks, a second one writes them.
 struct SearchNeighbours {
-    Columns columns;            ///< of the sources
-    Columns of_clusters;        ///< the same, or others over the same box
+    Pencils pencils;            ///< of the sources
+    Pencils of_clusters;        ///< the same, or others over the same box
     const PlaceRecord* places;  ///< of the clusters
-    const int* column;          ///< of each cluster
+    const int* pencil;          ///< of each cluster
     Cluster* clusters;
     const DeviceSource* sources;
     int source_count;
@@ -61,7 +61,7 @@ struct SearchNeighbours {
     template <class Ask, class Once>
     void operator()(std::size_t n, const Ask& ask, const Once& once) const {
         const Cluster g = clusters[n];
-        const WidePlace centre = of_clusters.centre(column[n]);
+        const WidePlace centre = of_clusters.centre(pencil[n]);
         const ClusterBox box = box_of(places, g, centre);
         const std::int64_t cluster_z = centre.z + difference(g.z, static_cast<std::int32_t>(centre.z));
         const int first = write ? count[n] : 0;
@@ -80,23 +80,23 @@ private:
     void search(const DeviceSource& source, const ClusterBox& box, std::int64_t cluster_z, const Ask& ask,
                 const Once& once, int first, int& found) const {
         const auto r = whole_above(reach);
-        const PlaceRecord* const all_end = source.places + source.first_of(columns.count());
-        const int x0 = columns.column_x(box.lo[0] - r), x1 = columns.column_x(box.hi[0] + r),
-                  y0 = columns.column_y(box.lo[1] - r), y1 = columns.column_y(box.hi[1] + r),
-                  z1 = columns.slab(box.hi[2] + r);
-        for (int cz = columns.slab(box.lo[2] - r); cz <= z1; ++cz) {
-            const std::int64_t middle = columns.middle_of_slab(cz);
+        const PlaceRecord* const all_end = source.places + source.first_of(pencils.count());
+        const int x0 = pencils.pencil_x(box.lo[0] - r), x1 = pencils.pencil_x(box.hi[0] + r),
+                  y0 = pencils.pencil_y(box.lo[1] - r), y1 = pencils.pencil_y(box.hi[1] + r),
+                  z1 = pencils.slab(box.hi[2] + r);
+        for (int cz = pencils.slab(box.lo[2] - r); cz <= z1; ++cz) {
+            const std::int64_t middle = pencils.middle_of_slab(cz);
             const auto height = [&](const PlaceRecord& p) {
                 return std::int64_t{difference(p.z, static_cast<std::int32_t>(middle))} + middle;
             };
             for (int cy = y0; cy <= y1; ++cy) {
-                const double gap_y = columns.gap_y(cy, box.lo[1], box.hi[1]);
+                const double gap_y = pencils.gap_y(cy, box.lo[1], box.hi[1]);
                 for (int cx = x0; cx <= x1; ++cx) {
-                    const double gap_x = columns.gap_x(cx, box.lo[0], box.hi[0]);
+                    const double gap_x = pencils.gap_x(cx, box.lo[0], box.hi[0]);
                     const double left2 = reach * reach - gap_x * gap_x - gap_y * gap_y;
                     if (left2 < 0) continue;
                     const std::int64_t up = whole_above(std::sqrt(left2)), top = box.hi[2] + up;
-                    const int c = columns.column(cx, cy, cz);
+                    const int c = pencils.pencil(cx, cy, cz);
                     const PlaceRecord* p = source.places + source.first_of(c);
                     const PlaceRecord* const end = source.places + source.first_of(c + 1);
                     for (std::int64_t left = end - p; left > 0;) {  // the first that is not below

@@ -1,5 +1,5 @@
 #pragma once
-// Sorting places into the order of neighbours/columns.h, with their images and in clusters, as a device does it: plain
+// Sorting places into the order of neighbours/pencils.h, with their images and in clusters, as a device does it: plain
 // data for kernels, as in tasks.h. The order is a function of the places alone, whoever came first.
 #include <cstddef>
 #include <cstdint>
@@ -8,23 +8,23 @@
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/neighbours/column_grid.h"
+#include "sph_solver/neighbours/pencil_grid.h"
 #include "sph_solver/pair_loops/clusters.h"
 
 namespace tw::cuda {
 
-/// A column cut into bins of some height: sorted within a bin, and bin by bin, places are sorted within a column.
+/// A pencil cut into bins of some height: sorted within a bin, and bin by bin, places are sorted within a pencil.
 struct Bins {
-    Columns columns;
+    Pencils pencils;
     std::int64_t height;  ///< [fixed-point units]
-    int in_column;
+    int in_pencil;
 
-    int count() const { return columns.count() * in_column; }
+    int count() const { return pencils.count() * in_pencil; }
     int of(const WidePlace& p) const {
-        const int slab = columns.slab(p.z);
-        const std::int64_t bin = (p.z - (columns.z0 + slab * columns.height)) / height;
-        const int in = p.z < columns.z0 || bin < 0 ? 0 : bin >= in_column ? in_column - 1 : static_cast<int>(bin);
-        return columns.of(p) * in_column + in;
+        const int slab = pencils.slab(p.z);
+        const std::int64_t bin = (p.z - (pencils.z0 + slab * pencils.height)) / height;
+        const int in = p.z < pencils.z0 || bin < 0 ? 0 : bin >= in_pencil ? in_pencil - 1 : static_cast<int>(bin);
+        return pencils.of(p) * in_pencil + in;
     }
 };
 
@@ -129,8 +129,8 @@ constexpr int lanes_of_cluster = 8;
 
 struct CountClusters {
     const int* start;  ///< of bins
-    int in_column;
-    const char* wanted;  ///< of each column; null: all are
+    int in_pencil;
+    const char* wanted;  ///< of each pencil; null: all are
     int* count;
 
     void operator()(std::size_t c) const {
@@ -138,26 +138,26 @@ struct CountClusters {
             count[c] = 0;
             return;
         }
-        const auto of = [&](std::size_t column) { return start[column * static_cast<std::size_t>(in_column)]; };
+        const auto of = [&](std::size_t pencil) { return start[pencil * static_cast<std::size_t>(in_pencil)]; };
         count[c] = (of(c + 1) - of(c) + lanes_of_cluster - 1) / lanes_of_cluster;
     }
 };
 struct MakeClusters {
     const int* start;
-    int in_column;
+    int in_pencil;
     const char* wanted;  ///< as of CountClusters
-    const int* first;    ///< cluster of each column
+    const int* first;    ///< cluster of each pencil
     Cluster* clusters;
-    int* column;  ///< of each cluster
+    int* pencil;  ///< of each cluster
 
     void operator()(std::size_t c) const {
         if (wanted && !wanted[c]) return;
-        const int end = start[(c + 1) * static_cast<std::size_t>(in_column)];
-        int at = start[c * static_cast<std::size_t>(in_column)];
+        const int end = start[(c + 1) * static_cast<std::size_t>(in_pencil)];
+        int at = start[c * static_cast<std::size_t>(in_pencil)];
         for (int g = first[c]; at < end; ++g, at += lanes_of_cluster) {
             Cluster cluster;
             cluster.first = at, cluster.size = end - at < lanes_of_cluster ? end - at : lanes_of_cluster;
-            clusters[g] = cluster, column[g] = static_cast<int>(c);
+            clusters[g] = cluster, pencil[g] = static_cast<int>(c);
         }
     }
 };
@@ -184,14 +184,14 @@ inline ClusterBox box_of(const PlaceRecord* places, const Cluster& g, const Wide
     return box;
 }
 struct CentreClusters {
-    Columns columns;
+    Pencils pencils;
     const PlaceRecord* places;
-    const int* column;
+    const int* pencil;
     Cluster* clusters;
 
     void operator()(std::size_t n) const {
         Cluster& g = clusters[n];
-        const ClusterBox box = box_of(places, g, columns.centre(column[n]));
+        const ClusterBox box = box_of(places, g, pencils.centre(pencil[n]));
         g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
         g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
         g.z = static_cast<std::int32_t>((box.lo[2] + box.hi[2]) / 2);

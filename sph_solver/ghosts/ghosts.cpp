@@ -8,7 +8,7 @@ Ghosts::Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta
       still_{level.rho0, level.state_equation.c0},
       maps_(around.mirrors, around.domain, fixed_point) {}
 
-void Ghosts::find(const Particles& p, const ColumnGrid& grid, double reach) {
+void Ghosts::find(const Particles& p, const PencilGrid& grid, double reach) {
     const std::vector<Link> found = find_images(around_.mirrors, around_.domain, p, reach);
     std::vector<WidePlace> places(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -16,7 +16,7 @@ void Ghosts::find(const Particles& p, const ColumnGrid& grid, double reach) {
         places[k] = maps_[found[k]].place(fixed_point_.wide({p.x[i], p.y[i], p.z[i]}));
     }
     std::vector<std::int32_t> order;
-    sort_by_column(grid, places, order, start_);
+    sort_by_pencil(grid, places, order, start_);
     links_.resize(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) links_[k] = found[static_cast<std::size_t>(order[k])];
 }

@@ -7,7 +7,7 @@
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/ghosts/link.h"
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 
 namespace tw {
 
@@ -19,8 +19,8 @@ public:
     /// `around` must outlive this.
     Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& fixed_point);
 
-    /// Which particles have images within `reach` [m] of a plane, in the order of the columns.
-    void find(const Particles& particles, const ColumnGrid& grid, double reach);
+    /// Which particles have images within `reach` [m] of a plane, in the order of the pencils.
+    void find(const Particles& particles, const PencilGrid& grid, double reach);
 
     /// Those that a device has found.
     void take(std::vector<Link> links, std::vector<std::int32_t> start) {
@@ -35,7 +35,7 @@ public:
     std::span<const LinkMap> maps() const { return maps_.all(); }
     const Hydrostatic& still() const { return still_; }
     std::size_t count() const { return links_.size(); }
-    const std::vector<std::int32_t>& start() const { return start_; }  ///< first image of each column
+    const std::vector<std::int32_t>& start() const { return start_; }  ///< first image of each pencil
     std::size_t bytes() const { return links_.capacity() * sizeof(Link); }
 
 private:

@@ -9,7 +9,7 @@
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/loops/cross.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 
 namespace tw {
 

@@ -46,9 +46,9 @@ struct LevelOnDevice::Arrays {
     cuda::Array<int> gone{device};
     cuda::Array<std::uint8_t> left{device};
     cuda::Array<WidePlace> wide{device};
-    // of several ranks only: which particles and columns are its own; which others may have to hear of
-    cuda::Array<char> own{device}, own_columns{device}, inner_columns{device};
-    cuda::Array<int> start{device}, new_start{device};  ///< first particle of each column
+    // of several ranks only: which particles and pencils are its own; which others may have to hear of
+    cuda::Array<char> own{device}, own_pencils{device}, inner_pencils{device};
+    cuda::Array<int> start{device}, new_start{device};  ///< first particle of each pencil
     cuda::Array<int> at_border{device};
     RunningSum work{device};
     SortedOnDevice order{device, bins}, image_order{device, bins};
@@ -72,7 +72,7 @@ struct LevelOnDevice::Arrays {
     /// The dummies of one body.
     struct Part {
         std::size_t first;
-        cuda::Array<int> start, column;
+        cuda::Array<int> start, pencil;
         cuda::Array<Cluster> clusters;
         ListsOnDevice lists;
     };
@@ -134,7 +134,7 @@ struct LevelOnDevice::Arrays {
     cuda::Array<Parent> parents{device};
     cuda::Array<Child> daughters{device};
 
-    Arrays(cuda::Device& d, const cuda::Bins& of_columns) : device(d), bins(of_columns) {}
+    Arrays(cuda::Device& d, const cuda::Bins& of_pencils) : device(d), bins(of_pencils) {}
 
     double bytes() {
         double sum = 0;
@@ -145,12 +145,12 @@ struct LevelOnDevice::Arrays {
             clusters, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
             clusters_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
             giving_place, giving_motion, giving_support, giving_rate, giving_start, giving_images, following, orphans,
-            which, own, own_columns, inner_columns, start, new_start, at_border, work, places_ahead, found_order,
+            which, own, own_pencils, inner_pencils, start, new_start, at_border, work, places_ahead, found_order,
             found_value, found_support, found_mean, found_compression, wide_of_others, given, at_edge, outside,
             asked_outside, gone_at_edge, left_zone, located, parents, daughters);
         for (const auto& [apart, a] : asked)
             add(a.order, a.clusters, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
-        for (const Part& part : parts) add(part.start, part.column, part.clusters, part.lists);
+        for (const Part& part : parts) add(part.start, part.pencil, part.clusters, part.lists);
         for (const Skin& skin : skins) add(skin.corners, skin.noted, skin.velocity);
         return sum;
     }

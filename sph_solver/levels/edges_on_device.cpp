@@ -117,9 +117,9 @@ void LevelOnDevice::keep(std::size_t marked) {
     level_.particles.resize(marked);
     home_ = false;
     if (!shared()) return;
-    const std::size_t columns = on.start.size();
-    on.new_start.resize(columns);
-    cuda::launch(*device_, cuda::StartMarked{on.start.data(), on.following.before(), on.new_start.data()}, columns);
+    const std::size_t pencils = on.start.size();
+    on.new_start.resize(pencils);
+    cuda::launch(*device_, cuda::StartMarked{on.start.data(), on.following.before(), on.new_start.data()}, pencils);
     on.new_start.give(level_.near.start);
     share_.note_let_go(marked);
     take_own();

@@ -11,14 +11,14 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     const std::size_t n = points.places.size();
     cuda::Array<PlaceRecord> places(d);
     cuda::Array<Cluster> clusters(d);
-    cuda::Array<int> column(d);
+    cuda::Array<int> pencil(d);
     cuda::Array<float> p(d), support(d);
     ListsOnDevice lists(d);
     places.take(points.places), clusters.take(points.clusters);
-    column.take(columns_of(points.clusters, points.start));
+    pencil.take(pencils_of(points.clusters, points.start));
     p.resize(n), support.resize(n);
     p.set_zero(), support.set_zero();  // at those of other ranks nothing is found
-    lists.build(level_.grid, level_.grid, places.data(), column, clusters, sources(),
+    lists.build(level_.grid, level_.grid, places.data(), pencil, clusters, sources(),
                 level_.reaches_of_points(level_.kernel) / level_.fixed_point.size);
     ExtrapolateData e = to;
     e.water = water();
@@ -41,12 +41,12 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
     take.to_place = on.giving_place.data(), take.to_motion = on.giving_motion.data();
     take.known_support = or_null(on.giving_support), take.rate = or_null(on.giving_rate);
     cuda::launch(*device_, cuda::PutGiving{take, on.gives.numbers(), on.gives.before()}, all);
-    const auto columns = static_cast<std::size_t>(level_.grid.count()) + 1;
+    const auto pencils = static_cast<std::size_t>(level_.grid.count()) + 1;
     const auto source = [&](const SortedOnDevice& order, std::size_t from, cuda::Array<int>& start) {
-        start.resize(columns);
+        start.resize(pencils);
         cuda::launch(*device_,
-                     cuda::StartGiving{order.start(), order.in_column(), from, on.gives.before(), start.data()},
-                     columns);
+                     cuda::StartGiving{order.start(), order.in_pencil(), from, on.gives.before(), start.data()},
+                     pencils);
         return cuda::DeviceSource{on.giving_place.data(), start.data(), 1, 0};
     };
     return {source(on.order, 0, on.giving_start), source(on.image_order, n, on.giving_images)};
@@ -55,7 +55,7 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
 cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Asking& asking) {
     update_records();
     Arrays& on = *on_;
-    const ColumnGrid grid = level_.grid.scaled(asking.apart);
+    const PencilGrid grid = level_.grid.scaled(asking.apart);
     const double quantum = level_.fixed_point.size;
     Arrays::Asked& at =
         on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup.dp, quantum))
@@ -66,7 +66,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     cuda::launch(*device_, cuda::SortAsked{at.order.order(), wide.data(), at.place.data()}, n);
     at.clusters.make(grid, at.order, at.place.data());
     const std::vector<cuda::DeviceSource> giving = note_giving(asking);
-    at.lists.build(level_.grid, grid, at.place.data(), at.clusters.column(), at.clusters.clusters(), giving,
+    at.lists.build(level_.grid, grid, at.place.data(), at.clusters.pencil(), at.clusters.clusters(), giving,
                    level_.reaches_of_interpolation() / quantum);
     InterpolateData d = level_.interpolation();
     d.list = at.lists.view();

@@ -13,12 +13,12 @@ namespace tw {
 
 namespace {
 
-/// The heights between which a column of a grid has something within reach of some places [fixed-point units]; none:
+/// The heights between which a pencil of a grid has something within reach of some places [fixed-point units]; none:
 /// from > to.
 struct Span {
     std::int64_t from = INT64_MAX, to = INT64_MIN;
 };
-std::vector<Span> within_reach(const SortedPlaces& of, const ColumnGrid& grid, double reach) {
+std::vector<Span> within_reach(const SortedPlaces& of, const PencilGrid& grid, double reach) {
     const auto r = static_cast<std::int64_t>(std::ceil(reach));
     std::vector<Span> spans(static_cast<std::size_t>(grid.count()));
     for (int c = 0; c < of.grid.count(); ++c) {
@@ -31,15 +31,15 @@ std::vector<Span> within_reach(const SortedPlaces& of, const ColumnGrid& grid, d
             return centre.z + difference(of.places[k].z, static_cast<std::int32_t>(centre.z));
         };
         const Span span{height(first) - r, height(end - 1) + r};
-        // columns at the rim hold whatever lies beyond
+        // pencils at the rim hold whatever lies beyond
         const int cx = c % of.grid.nx, cy = c / of.grid.nx % of.grid.ny;
-        const int x0 = cx == 0 ? 0 : grid.column_x(centre.x - half), y0 = cy == 0 ? 0 : grid.column_y(centre.y - half),
-                  x1 = cx == of.grid.nx - 1 ? grid.nx - 1 : grid.column_x(centre.x + half),
-                  y1 = cy == of.grid.ny - 1 ? grid.ny - 1 : grid.column_y(centre.y + half);
+        const int x0 = cx == 0 ? 0 : grid.pencil_x(centre.x - half), y0 = cy == 0 ? 0 : grid.pencil_y(centre.y - half),
+                  x1 = cx == of.grid.nx - 1 ? grid.nx - 1 : grid.pencil_x(centre.x + half),
+                  y1 = cy == of.grid.ny - 1 ? grid.ny - 1 : grid.pencil_y(centre.y + half);
         for (int z = grid.slab(span.from); z <= grid.slab(span.to); ++z)
             for (int y = y0; y <= y1; ++y)
                 for (int x = x0; x <= x1; ++x) {
-                    Span& known = spans[static_cast<std::size_t>(grid.column(x, y, z))];
+                    Span& known = spans[static_cast<std::size_t>(grid.pencil(x, y, z))];
                     known = {std::min(known.from, span.from), std::max(known.to, span.to)};
                 }
     }
@@ -82,20 +82,20 @@ void LevelOnProcessor::interpolate_here(FieldsAt& at) {
     std::vector<VelocityDensityRecord> motion;
     std::vector<float> known_support, rate;
     const auto take = [&](const std::vector<std::int32_t>& all_start, std::size_t offset) {
-        const std::size_t columns = all_start.size() - 1, before = place.size();
-        const auto each_in = [&](std::size_t column, const auto& f) {
-            const Span& span = asked[column];
+        const std::size_t pencils = all_start.size() - 1, before = place.size();
+        const auto each_in = [&](std::size_t pencil, const auto& f) {
+            const Span& span = asked[pencil];
             if (span.from > span.to) return;
-            const std::int64_t middle = level_.grid.centre(static_cast<int>(column)).z;
-            for (auto k = static_cast<std::size_t>(all_start[column]);
-                 k < static_cast<std::size_t>(all_start[column + 1]); ++k) {
+            const std::int64_t middle = level_.grid.centre(static_cast<int>(pencil)).z;
+            for (auto k = static_cast<std::size_t>(all_start[pencil]);
+                 k < static_cast<std::size_t>(all_start[pencil + 1]); ++k) {
                 const std::int64_t z =
                     middle + difference(level_.particles.place[offset + k].z, static_cast<std::int32_t>(middle));
                 if (z >= span.from && z <= span.to && giving.counts(offset + k)) f(offset + k);
             }
         };
         std::vector<std::int32_t> start(all_start.size(), 0);
-        for_particles(columns, [&](std::size_t c) { each_in(c, [&](std::size_t) { ++start[c + 1]; }); });
+        for_particles(pencils, [&](std::size_t c) { each_in(c, [&](std::size_t) { ++start[c + 1]; }); });
         std::partial_sum(start.begin(), start.end(), start.begin());
         const std::size_t end = before + static_cast<std::size_t>(start.back());
         place.resize(end), motion.resize(end), known_support.resize(at.without ? end : 0);
@@ -103,7 +103,7 @@ void LevelOnProcessor::interpolate_here(FieldsAt& at) {
         giving.to_place = place.data(), giving.to_motion = motion.data();
         giving.known_support = at.without ? known_support.data() : nullptr;
         giving.rate = at.want_compression ? rate.data() : nullptr;
-        for_particles(columns, [&](std::size_t c) {
+        for_particles(pencils, [&](std::size_t c) {
             std::size_t k = before + static_cast<std::size_t>(start[c]);
             each_in(c, [&](std::size_t i) { giving.put(i, k++); });
         });

@@ -148,8 +148,8 @@ void Level::sample(PointSamples& points) const {
     points.support.assign(n, 0);
     if (points.want_flux) points.flux.assign(6 * n, 0);
     if (n == 0) return;
-    // whose columns are those of the particles
-    SortedPlaces sorted(points.places, 1, system_, share_.own_columns());
+    // whose pencils are those of the particles
+    SortedPlaces sorted(points.places, 1, system_, share_.own_pencils());
     std::vector<float> p(n), support(n), flux(points.want_flux ? 6 * n : 0);
     ExtrapolateData e = system_.extrapolation();
     e.at = sorted.places.data();

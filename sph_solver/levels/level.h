@@ -69,7 +69,7 @@ public:
     const Box& domain() const { return system_.around.domain; }
     const Kernel& kernel() const { return system_.kernel; }
     const Quanta& fixed_point() const { return system_.fixed_point; }
-    const ColumnGrid& grid() const { return system_.grid; }
+    const PencilGrid& grid() const { return system_.grid; }
     const Passes& passes() const { return system_.passes; }
     const Walls& walls() const { return system_.walls; }
     std::span<const std::unique_ptr<Effect>> effects() const { return system_.effects; }
@@ -125,7 +125,7 @@ public:
     void refuse_idle(int ranks) const { share_.refuse_idle(ranks); }
     bool owns(std::size_t i) const { return share_.owns(i); }
     std::size_t copies() const { return share_.copies(); }
-    void share_columns_with(Level& leading) { share_.share_columns_with(leading.share_); }
+    void share_pencils_with(Level& leading) { share_.share_pencils_with(leading.share_); }
     Particles gathered() const {
         home();
         return share_.gathered();
@@ -184,7 +184,7 @@ public:
     void begin_within(const Zone& own);
     EdgeSteps& edges() { return *steps_; }  ///< of a level that has begun so
     using Numbers = RankShare::Numbers;
-    Numbers number_by_column(const std::vector<std::int32_t>& by) const { return share_.number_by_column(by); }
+    Numbers number_by_pencil(const std::vector<std::int32_t>& by) const { return share_.number_by_pencil(by); }
     std::vector<Located> of_all_ranks(std::vector<Located> own) const { return share_.of_all_ranks(std::move(own)); }
     std::int64_t among_all(std::size_t i) const { return share_.among_all(i); }
     std::optional<std::size_t> owned(std::int64_t among_all) const { return share_.owned(among_all); }

@@ -14,12 +14,12 @@ namespace tw {
 /// What all ranges of particles make of a step together, and then all ranks.
 struct Level::OfAllParts {
     struct At {
-        double value;         ///< the larger one counts, and of equal ones that of the column that comes first
-        std::int32_t column;  ///< of the particle; it is one that no rank has where it is past the last column
+        double value;         ///< the larger one counts, and of equal ones that of the pencil that comes first
+        std::int32_t pencil;  ///< of the particle; it is one that no rank has where it is past the last pencil
         std::int64_t id;
         double x, y, z;
         At& operator+=(const At& other) {
-            if (other.value > value || (other.value == value && other.column < column)) *this = other;
+            if (other.value > value || (other.value == value && other.pencil < pencil)) *this = other;
             return *this;
         }
         Vec3 place() const { return {x, y, z}; }
@@ -48,7 +48,7 @@ struct Level::OfAllParts {
     double own_speed2 = 0;
     std::optional<std::size_t> broken{};
     std::vector<WallImpulse> wall_impulses{};
-    std::vector<std::int32_t> impulse_columns{};
+    std::vector<std::int32_t> impulse_pencils{};
 };
 
 Level::Impulses Level::advance(const Schedule::Move& move, const Vec3& moment_reference) {
@@ -148,7 +148,7 @@ Level::OfAllParts Level::join(const std::vector<Moved>& parts) const {
         sums.crossed += part.crossed;
         sums.held += part.held;
         all.wall_impulses.insert(all.wall_impulses.end(), part.on_elastic.begin(), part.on_elastic.end());
-        for (const std::size_t i : part.by) all.impulse_columns.push_back(share_.column_of(i));
+        for (const std::size_t i : part.by) all.impulse_pencils.push_back(share_.pencil_of(i));
         for (std::size_t b = 0; b < part.on_bodies.size(); ++b) all.on_bodies[b] += part.on_bodies[b];
     }
     sums.broken = all.broken.has_value();
@@ -161,8 +161,8 @@ void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
     const Particles& p = system_.particles;
     steps_->copy_to_host({all.fastest, all.densest, all.thinnest});
     const auto note = [&](OfAllParts::At& at, std::size_t i) {
-        at.column = system_.grid.count();
-        if (i < p.size()) at = {at.value, share_.column_of(i), p.id[i], p.x[i], p.y[i], p.z[i]};
+        at.pencil = system_.grid.count();
+        if (i < p.size()) at = {at.value, share_.pencil_of(i), p.id[i], p.x[i], p.y[i], p.z[i]};
     };
     OfAllParts::Sums& sums = all.sums;
     note(sums.fastest, all.fastest), note(sums.densest, all.densest), note(sums.thinnest, all.thinnest);
@@ -170,9 +170,9 @@ void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
     if (!waiting_loads_.empty()) set_loads(waiting_loads_, moment_reference);
     waiting_loads_.clear();
     if (sums.held > 0 && system_.walls.any_deformable())
-        all.wall_impulses = share_.of_all_ranks(all.wall_impulses, all.impulse_columns);
+        all.wall_impulses = share_.of_all_ranks(all.wall_impulses, all.impulse_pencils);
     if (sums.broken > 0)
-        share_.fail_together({all.broken, all.broken ? share_.column_of(*all.broken) : 0,
+        share_.fail_together({all.broken, all.broken ? share_.pencil_of(*all.broken) : 0,
                               "has a velocity, density or place that is not a number; often a time step or sound speed "
                               "that does not fit the flow"});
 }
@@ -198,7 +198,7 @@ void Level::note_extremes(const OfAllParts& all) {
     e = {};
     e.speed = std::sqrt(sums.fastest.value);
     e.acceleration = std::sqrt(sums.acceleration2);
-    if (sums.fastest.column < system_.grid.count()) e.fastest = sums.fastest.id, e.fastest_place = sums.fastest.place();
+    if (sums.fastest.pencil < system_.grid.count()) e.fastest = sums.fastest.id, e.fastest_place = sums.fastest.place();
     if (sums.thinnest.value > 0)
         e.density_deviation_low = -sums.thinnest.value, e.thinnest_place = sums.thinnest.place();
     if (sums.densest.value > 0) e.density_deviation_high = sums.densest.value, e.densest_place = sums.densest.place();
@@ -221,7 +221,7 @@ void Level::check_speed(const OfAllParts& all) const {
     const double speed = system_.extremes.speed, c0 = system_.setup.state_equation.c0;
     if (speed <= largest_mach * c0) return;
     const bool here = all.own_speed2 == all.sums.fastest.value && all.fastest < system_.particles.size();
-    share_.fail_together({here ? std::optional(all.fastest) : std::nullopt, here ? share_.column_of(all.fastest) : 0,
+    share_.fail_together({here ? std::optional(all.fastest) : std::nullopt, here ? share_.pencil_of(all.fastest) : 0,
                           fmt::format("moves at {:.3g} m/s = {:.3g} c0; the sound speed is too low for this flow, or "
                                       "the impact on a wall was too violent",
                                       speed, speed / c0)});
@@ -237,7 +237,7 @@ void Level::check_density() const {
     for (std::size_t i = 0; i < system_.particles.size() && !failing.at; ++i)
         if (is_active(system_.particles.kind[i]) && beyond(double(system_.particles.drho[i])))
             failing = {
-                i, share_.column_of(i),
+                i, share_.pencil_of(i),
                 fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
                             "speed that is too low or water caught between walls",
                             rho0 + double(system_.particles.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0)};

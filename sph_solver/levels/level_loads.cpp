@@ -22,13 +22,13 @@ void Level::gather_loads(const Vec3& moment_reference) {
     if (system_.walls.press()) {
         const WallPushes pushed = push_particles();
         std::vector<WallPush> own;
-        std::vector<std::int32_t> columns;
+        std::vector<std::int32_t> pencils;
         for (std::size_t k = 0; k < pushed.pushes.size(); ++k) {
             const auto by = static_cast<std::size_t>(pushed.by[k]);
-            if (owns(by)) own.push_back(pushed.pushes[k]), columns.push_back(share_.column_of(by));
+            if (owns(by)) own.push_back(pushed.pushes[k]), pencils.push_back(share_.pencil_of(by));
         }
         for (const WallPush& p : own) of_bodies[p.body].add(p.force, p.place - moment_reference);
-        system_.walls.set_pushes(share_.of_all_ranks(own, columns));
+        system_.walls.set_pushes(share_.of_all_ranks(own, pencils));
     }
     if (ranks().many() && all_fixed(system_.bodies) && schedule_.stages().empty()) {
         waiting_loads_ = std::move(sums);  // nobody asks for them before the step's end
@@ -95,7 +95,7 @@ std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
                                                               .clusters = dummies.clusters.data(),
                                                               .lanes = lanes,
                                                               .force = force});
-    // each by the rank whose column it stands in, nothing on the others
+    // each by the rank whose pencil it stands in, nothing on the others
     std::vector<double> sums;
     for (const V3<double>& f : forces_on_dummies_.copy_to_host()) sums.insert(sums.end(), {f.x, f.y, f.z});
     ranks().take_from_owners(std::span(sums));

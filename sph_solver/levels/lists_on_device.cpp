@@ -43,28 +43,28 @@ std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left
     return static_cast<std::size_t>(all);
 }
 
-void ClustersOnDevice::make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
+void ClustersOnDevice::make(const Pencils& pencils, const SortedOnDevice& order, const PlaceRecord* places,
                             const char* wanted) {
-    const auto n = static_cast<std::size_t>(columns.count());
-    cuda::launch(device_, cuda::CountClusters{order.start(), order.in_column(), wanted, before_.of(n)}, n);
+    const auto n = static_cast<std::size_t>(pencils.count());
+    cuda::launch(device_, cuda::CountClusters{order.start(), order.in_pencil(), wanted, before_.of(n)}, n);
     const auto count = static_cast<std::size_t>(before_.add_up());
-    clusters_.resize(count), column_.resize(count);
+    clusters_.resize(count), pencil_.resize(count);
     cuda::launch(device_,
-                 cuda::MakeClusters{order.start(), order.in_column(), wanted, before_.before(), clusters_.data(),
-                                    column_.data()},
+                 cuda::MakeClusters{order.start(), order.in_pencil(), wanted, before_.before(), clusters_.data(),
+                                    pencil_.data()},
                  n);
-    cuda::launch(device_, cuda::CentreClusters{columns, places, column_.data(), clusters_.data()}, count);
+    cuda::launch(device_, cuda::CentreClusters{pencils, places, pencil_.data(), clusters_.data()}, count);
 }
 
-void ListsOnDevice::build(const Columns& columns, const Columns& of_clusters, const PlaceRecord* places,
-                          const cuda::Array<int>& column, cuda::Array<Cluster>& clusters,
+void ListsOnDevice::build(const Pencils& pencils, const Pencils& of_clusters, const PlaceRecord* places,
+                          const cuda::Array<int>& pencil, cuda::Array<Cluster>& clusters,
                           const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
                           ListRef Cluster::*list) {
     sources_.take(sources);
-    cuda::SearchNeighbours search{.columns = columns,
+    cuda::SearchNeighbours search{.pencils = pencils,
                                   .of_clusters = of_clusters,
                                   .places = places,
-                                  .column = column.data(),
+                                  .pencil = pencil.data(),
                                   .clusters = clusters.data(),
                                   .sources = sources_.data(),
                                   .source_count = static_cast<int>(sources.size()),
@@ -91,14 +91,14 @@ std::int64_t ListsOnDevice::live() const {
     return live;
 }
 
-std::vector<int> columns_of(const std::vector<Cluster>& clusters, const std::vector<std::int32_t>& start) {
-    std::vector<int> column;
+std::vector<int> pencils_of(const std::vector<Cluster>& clusters, const std::vector<std::int32_t>& start) {
+    std::vector<int> pencil;
     std::size_t c = 0;
     for (const Cluster& g : clusters) {
         while (start[c + 1] <= g.first) ++c;
-        column.push_back(static_cast<int>(c));
+        pencil.push_back(static_cast<int>(c));
     }
-    return column;
+    return pencil;
 }
 
 }  // namespace tw

@@ -33,7 +33,7 @@ private:
     cuda::Array<int> of_, before_, sums_;
 };
 
-/// Places sorted by columns on a device.
+/// Places sorted by pencils on a device.
 class SortedOnDevice {
 public:
     SortedOnDevice(cuda::Device& device, const cuda::Bins& bins)
@@ -42,12 +42,12 @@ public:
     std::size_t sort(const WidePlace* wide, const std::uint8_t* left, const std::int64_t* tie, std::size_t n);
     const int* order() const { return order_.data(); }  ///< k-th in order
     const int* start() const { return start_.before(); }
-    int in_column() const { return bins_.in_column; }
+    int in_pencil() const { return bins_.in_pencil; }
     cuda::DeviceSource source(const PlaceRecord* places, std::int32_t offset) const {
-        return {places, start(), in_column(), offset};
+        return {places, start(), in_pencil(), offset};
     }
-    void give_start(std::vector<std::int32_t>& of_columns) const {
-        start_.give_before(of_columns, static_cast<std::size_t>(in_column()));
+    void give_start(std::vector<std::int32_t>& of_pencils) const {
+        start_.give_before(of_pencils, static_cast<std::size_t>(in_pencil()));
     }
     std::size_t bytes() const {
         return start_.bytes() + bin_.bytes() + slot_.bytes() + member_.bytes() + order_.bytes();
@@ -60,8 +60,8 @@ private:
     cuda::Array<int> bin_, slot_, member_, order_;
 };
 
-/// Columns in bins of eight spacings: some 32 particles each.
-inline cuda::Bins bins_of(const Columns& grid, double dp, double quantum) {
+/// Pencils in bins of eight spacings: some 32 particles each.
+inline cuda::Bins bins_of(const Pencils& grid, double dp, double quantum) {
     const auto height = static_cast<std::int64_t>(8 * dp / quantum);
     return {grid, height, static_cast<int>(grid.height / height) + 1};
 }
@@ -70,21 +70,21 @@ inline cuda::Bins bins_of(const Columns& grid, double dp, double quantum) {
 class ClustersOnDevice {
 public:
     explicit ClustersOnDevice(cuda::Device& device)
-        : device_(device), before_(device), clusters_(device), column_(device) {}
-    /// `wanted`: which columns; null: all.
-    void make(const Columns& columns, const SortedOnDevice& order, const PlaceRecord* places,
+        : device_(device), before_(device), clusters_(device), pencil_(device) {}
+    /// `wanted`: which pencils; null: all.
+    void make(const Pencils& pencils, const SortedOnDevice& order, const PlaceRecord* places,
               const char* wanted = nullptr);
     const cuda::Array<Cluster>& clusters() const { return clusters_; }
     cuda::Array<Cluster>& clusters() { return clusters_; }
     std::size_t size() const { return clusters_.size(); }
-    const cuda::Array<int>& column() const { return column_; }  ///< of each cluster
-    std::size_t bytes() const { return before_.bytes() + clusters_.bytes() + column_.bytes(); }
+    const cuda::Array<int>& pencil() const { return pencil_; }  ///< of each cluster
+    std::size_t bytes() const { return before_.bytes() + clusters_.bytes() + pencil_.bytes(); }
 
 private:
     cuda::Device& device_;
     RunningSum before_;
     cuda::Array<Cluster> clusters_;
-    cuda::Array<int> column_;
+    cuda::Array<int> pencil_;
 };
 
 /// Lists of the neighbours of clusters, on a device.
@@ -92,10 +92,10 @@ class ListsOnDevice {
 public:
     explicit ListsOnDevice(cuda::Device& device)
         : device_(device), count_(device), blocks_(device), chunk_(device), sources_(device) {}
-    /// Of all `clusters`, of which the k-th is in the column column[k] of `of_clusters`, among sources sorted by
-    /// `columns`.
-    void build(const Columns& columns, const Columns& of_clusters, const PlaceRecord* places,
-               const cuda::Array<int>& column, cuda::Array<Cluster>& clusters,
+    /// Of all `clusters`, of which the k-th is in the pencil pencil[k] of `of_clusters`, among sources sorted by
+    /// `pencils`.
+    void build(const Pencils& pencils, const Pencils& of_clusters, const PlaceRecord* places,
+               const cuda::Array<int>& pencil, cuda::Array<Cluster>& clusters,
                const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
                ListRef Cluster::*list = &Cluster::list);
     Lists view() const { return {chunk_.data()}; }
@@ -111,7 +111,7 @@ private:
     cuda::Array<cuda::DeviceSource> sources_;
 };
 
-/// The column in which each of a host's clusters stands; `start`: first place of each column.
-std::vector<int> columns_of(const std::vector<Cluster>& clusters, const std::vector<std::int32_t>& start);
+/// The pencil in which each of a host's clusters stands; `start`: first place of each pencil.
+std::vector<int> pencils_of(const std::vector<Cluster>& clusters, const std::vector<std::int32_t>& start);
 
 }  // namespace tw

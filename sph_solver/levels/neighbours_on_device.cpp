@@ -34,15 +34,15 @@ void LevelOnDevice::make_lists(double drift) {
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
     update_records();
-    on.clusters.make(level_.grid, on.order, on.p.place.data(), or_null(on.own_columns));
+    on.clusters.make(level_.grid, on.order, on.p.place.data(), or_null(on.own_pencils));
     const std::vector<cuda::DeviceSource> water = sources();
-    on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.column(), on.clusters.clusters(), water,
+    on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.pencil(), on.clusters.clusters(), water,
                    among / level_.fixed_point.size);
     if (!level_.walls.empty()) {
         if (level_.walls.move() || shared()) take_sorted_dummies();
         if (shared()) on.wall_p.set_zero();  // what no rank works out that holds them
         for (Arrays::Part& part : on.parts)
-            part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.column, part.clusters,
+            part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.pencil, part.clusters,
                              water, to_walls / level_.fixed_point.size);
         find_walls(to_walls);
     }
@@ -51,7 +51,7 @@ void LevelOnDevice::make_lists(double drift) {
 }
 
 /// As RankShare::cross_and_hold. The host sees particles that are sent to other ranks, or may have come from them:
-/// those of columns that several ranks hold. All others stay where they are.
+/// those of pencils that several ranks hold. All others stay where they are.
 void LevelOnDevice::cross_and_hold(double reach) {
     Arrays& on = *on_;
     if (host_counts_ || share_.is_on_first()) {
@@ -59,7 +59,7 @@ void LevelOnDevice::cross_and_hold(double reach) {
         share_.cross_and_hold(reach);
         take_state();
     } else {
-        share_.divide_columns();
+        share_.divide_pencils();
         cuda::launch(*device_, cuda::MarkStaying{nullptr, on.own.data(), on.following.of(on.p.size())}, on.p.size());
         keep(list_marked());
         const Ledger before = level_.ledger;
@@ -67,10 +67,10 @@ void LevelOnDevice::cross_and_hold(double reach) {
         const std::vector<std::int32_t> entered = list_entered();
         const std::size_t all = on.p.size();
         share_.find_holders(reach);
-        on.inner_columns.take(share_.inner_columns());
+        on.inner_pencils.take(share_.inner_pencils());
         const auto list_in = [&](bool inner) {
             cuda::launch(*device_,
-                         cuda::MarkInColumns{level_.grid, on.wide.data(), on.left.data(), on.inner_columns.data(),
+                         cuda::MarkInPencils{level_.grid, on.wide.data(), on.left.data(), on.inner_pencils.data(),
                                              inner, on.following.of(all)},
                          all);
             return list_marked();
@@ -95,7 +95,7 @@ void LevelOnDevice::cross_and_hold(double reach) {
         on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
         std::vector<std::int32_t> staying(at_border);
         std::iota(staying.begin(), staying.end(), 0);
-        share_.hold_columns(staying);
+        share_.hold_pencils(staying);
         on.p.each_moving_with(p, [&](auto& field, const auto& at_home) {
             if (at_home.empty()) return;
             field.grow(inner + at_home.size());
@@ -125,10 +125,10 @@ void LevelOnDevice::note_own() {
     level_.particles.resize(on.p.size());
     share_.note_own();
     take_own();
-    const std::function<bool(int)> own = share_.own_columns();
-    std::vector<char> columns(static_cast<std::size_t>(level_.grid.count()));
-    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = own(static_cast<int>(c));
-    on.own_columns.take(columns);
+    const std::function<bool(int)> own = share_.own_pencils();
+    std::vector<char> pencils(static_cast<std::size_t>(level_.grid.count()));
+    for (std::size_t c = 0; c < pencils.size(); ++c) pencils[c] = own(static_cast<int>(c));
+    on.own_pencils.take(pencils);
     loops_.take_halos(share_.halo(), level_.walls.halo());
 }
 
@@ -162,7 +162,7 @@ StepMaker::Near LevelOnDevice::find_neighbours(StepMaker& other, const Reaches& 
     Arrays& on = *on_;
     const auto& of = static_cast<LevelOnDevice&>(other);
     on.asking_others.copy(on.clusters.clusters());
-    on.lists_of_others.build(of.level_.grid, level_.grid, on.p.place.data(), on.clusters.column(), on.asking_others,
+    on.lists_of_others.build(of.level_.grid, level_.grid, on.p.place.data(), on.clusters.pencil(), on.asking_others,
                              of.sources(), reaches / level_.fixed_point.size);
     const std::size_t n = on.asking_others.size();
     on.near_others.resize(n);
@@ -245,7 +245,7 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     for (const Arrays::Part& part : on.parts)
         dummies.push_back(
             {on.wall_place.data() + part.first, part.start.data(), 1, static_cast<std::int32_t>(part.first)});
-    on.wall_lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.column(), on.clusters.clusters(),
+    on.wall_lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.pencil(), on.clusters.clusters(),
                         dummies, reaches / level_.fixed_point.size, &Cluster::wall_list);
     const std::size_t clusters = on.clusters.size();
     cuda::launch(
@@ -258,8 +258,8 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     on.wall_load.resize(loads);
     walls.cluster_loads().resize(loads);
     on.clusters_at_walls.resize(at_walls);
-    cuda::ListClustersAtWalls list{.columns = level_.grid,
-                                   .column = on.clusters.column().data(),
+    cuda::ListClustersAtWalls list{.pencils = level_.grid,
+                                   .pencil = on.clusters.pencil().data(),
                                    .first_load = on.loads.before(),
                                    .at_wall = on.at_wall.numbers(),
                                    .before = on.at_wall.before(),

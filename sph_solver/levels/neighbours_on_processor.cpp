@@ -44,7 +44,7 @@ void LevelOnProcessor::make_lists(double drift) {
         kept[k] = level_.fixed_point.wide({p.x[i], p.y[i], p.z[i]});
     });
     std::vector<std::int32_t> order;
-    sort_by_column(level_.grid, kept, order, level_.near.start);
+    sort_by_pencil(level_.grid, kept, order, level_.near.start);
     order_coincident(
         kept, level_.near.start,
         [&](std::int32_t k) { return p.id[static_cast<std::size_t>(index[static_cast<std::size_t>(k)])]; }, order);
@@ -58,11 +58,11 @@ void LevelOnProcessor::make_lists(double drift) {
     update_records();
 
     const std::vector<Source> own = sources();
-    make_clusters(own.front(), level_.passes.lanes, level_.near.clusters, share_.own_columns());
+    make_clusters(own.front(), level_.passes.lanes, level_.near.clusters, share_.own_pencils());
     level_.near.lists.build(level_.passes, level_.fixed_point, own.front(), level_.near.clusters, own, among);
     if (!level_.walls.empty()) {
         level_.walls.find_neighbours(level_.passes, level_.grid, level_.fixed_point, level_.near.clusters, own,
-                                     to_walls, share_.own_columns());
+                                     to_walls, share_.own_pencils());
         find_normals();
     }
     if (!shared) return;

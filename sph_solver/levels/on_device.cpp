@@ -36,10 +36,10 @@ void LevelOnDevice::take_sorted_dummies() {
         std::vector<Cluster> own;
         if (shared())
             make_clusters({&level_.grid, walls.places().data() + part.first, &part.start, 0}, cuda::lanes_of_cluster,
-                          own, share_.own_columns());
+                          own, share_.own_pencils());
         const std::vector<Cluster>& clusters = shared() ? own : part.clusters;
         on.start.take(part.start), on.clusters.take(clusters);
-        on.column.take(columns_of(clusters, part.start));
+        on.pencil.take(pencils_of(clusters, part.start));
     }
     on_->wall_place.take(walls.places());
     take_dummies();
@@ -120,7 +120,7 @@ void LevelOnDevice::bring_motion_home() {
 }
 
 std::int64_t LevelOnDevice::live_pairs() const {
-    // clusters are full but for the last of each column
+    // clusters are full but for the last of each pencil
     return cuda::lanes_of_cluster * (on_->lists.live() + on_->wall_lists.live());
 }
 

@@ -19,8 +19,8 @@ Quanta fixed_point_of(const Surroundings& around, double dp) {
     return Quanta(middle, dp / (1 << 18));
 }
 
-/// The columns cover the domain, its mirror images and the buffers of the stream.
-Box column_area(const Surroundings& around, double support, double dp) {
+/// The pencils cover the domain, its mirror images and the buffers of the stream.
+Box pencil_area(const Surroundings& around, double support, double dp) {
     Box area = around.domain;
     area.min.array() -= support + dp;
     area.max.array() += support + dp;
@@ -44,7 +44,7 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
       kernel(h, around.dimensions),
       given_back(static_cast<float>(WaterCompleteness::of_plane_surface(kernel, setup.dp, around.dimensions))),
       fixed_point(fixed_point_of(around, setup.dp)),
-      grid(column_area(around, kernel.support(), setup.dp), setup.dp, around.dimensions, fixed_point, passes.lanes),
+      grid(pencil_area(around, kernel.support(), setup.dp), setup.dp, around.dimensions, fixed_point, passes.lanes),
       ghosts(around, setup, fixed_point),
       walls(bodies, around, setup, kernel.support(), grid, fixed_point, passes.lanes) {
     for (const EffectOn& on : options) particles.bring(effects.emplace_back(on.make())->brings());

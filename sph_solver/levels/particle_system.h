@@ -17,8 +17,8 @@
 #include "sph_solver/levels/control_volume.h"
 #include "sph_solver/loops/after_first_pair_loop.h"
 #include "sph_solver/loops/at_edge.h"
-#include "sph_solver/neighbours/columns.h"
 #include "sph_solver/neighbours/list_life.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/interpolate.h"
 #include "sph_solver/pair_loops/views.h"
 
@@ -29,7 +29,7 @@ struct EffectOptions;
 /// Who stands where, and who meets whom. Where a device makes the steps only what the host has asked for is here, and
 /// of the clusters those at walls.
 struct Neighbours {
-    std::vector<std::int32_t> start;  ///< first particle of each column
+    std::vector<std::int32_t> start;  ///< first particle of each pencil
     std::vector<Cluster> clusters;
     NeighbourLists lists;
     ListLife life;
@@ -56,7 +56,7 @@ struct ParticleSystem {
     Kernel kernel;
     float given_back;  ///< [m], a of WaterCompleteness
     Quanta fixed_point;
-    ColumnGrid grid;
+    PencilGrid grid;
     Particles particles;
     Ghosts ghosts;
     Walls walls;

@@ -47,20 +47,20 @@ void RankShare::exchange_first_sums() {
         });
 }
 
-/// The places of a column go to one rank, so those that are worked out together are those of one process. Places that
+/// The places of a pencil go to one rank, so those that are worked out together are those of one process. Places that
 /// coincide have the same fields, whatever the order of the ranks makes of theirs.
 void RankShare::interpolate_together(FieldsAt& at, const std::function<void(FieldsAt&)>& interpolate_here) const {
     const Comm& all = ranks();
     const std::size_t n = at.places.size();
     if (all.sum(static_cast<std::int64_t>(n)) == 0) return;
-    const ColumnGrid columns = level_.grid.scaled(at.apart);
+    const PencilGrid pencils = level_.grid.scaled(at.apart);
     const auto size = static_cast<std::size_t>(all.size());
     std::vector<std::size_t> asked(n);  // whom
     std::vector<Comm::Bytes> questions(size);
     for (std::size_t k = 0; k < n; ++k) {
         const Vec3& x = at.places[k];
         asked[k] = static_cast<std::size_t>(
-            columns_.owner(level_.grid.of(columns.centre(columns.of(level_.fixed_point.wide(x))))));
+            pencils_.owner(level_.grid.of(pencils.centre(pencils.of(level_.fixed_point.wide(x))))));
         append(questions[asked[k]], std::array{x.x(), x.y(), x.z()});
     }
     const std::vector<Comm::Bytes> theirs = all.exchange(questions);
@@ -98,55 +98,55 @@ Particles RankShare::gathered() const {
     if (!ranks().many()) return level_.particles;
     Particles all;
     all.bring_all_of(level_.particles);
-    struct Column {
-        std::int32_t column, size;
+    struct Pencil {
+        std::int32_t pencil, size;
     };
     const std::size_t bytes = level_.particles.moved_bytes();
     Comm::Bytes own;
     for (std::size_t c = 0; c + 1 < level_.near.start.size(); ++c) {
-        const Column column{static_cast<std::int32_t>(c), level_.near.start[c + 1] - level_.near.start[c]};
-        if (column.size == 0 || columns_.owner(column.column) != ranks().rank()) continue;
+        const Pencil pencil{static_cast<std::int32_t>(c), level_.near.start[c + 1] - level_.near.start[c]};
+        if (pencil.size == 0 || pencils_.owner(pencil.pencil) != ranks().rank()) continue;
         std::size_t at = own.size();
-        own.resize(at + sizeof(Column) + static_cast<std::size_t>(column.size) * bytes);
-        std::memcpy(own.data() + at, &column, sizeof(Column));
-        at += sizeof(Column);
+        own.resize(at + sizeof(Pencil) + static_cast<std::size_t>(pencil.size) * bytes);
+        std::memcpy(own.data() + at, &pencil, sizeof(Pencil));
+        at += sizeof(Pencil);
         for (std::int32_t i = level_.near.start[c]; i < level_.near.start[c + 1]; ++i, at += bytes)
             level_.particles.pack(static_cast<std::size_t>(i), own.data() + at);
     }
     const std::vector<Comm::Bytes> of_ranks = ranks().sent_to_first(own);
     if (!ranks().first()) return all;
-    std::vector<std::pair<Column, const std::byte*>> columns;
+    std::vector<std::pair<Pencil, const std::byte*>> pencils;
     for (const Comm::Bytes& of_rank : of_ranks)
         for (const std::byte* at = of_rank.data(); at != of_rank.data() + of_rank.size();) {
-            Column column;
-            std::memcpy(&column, at, sizeof(Column));
-            columns.emplace_back(column, at + sizeof(Column));
-            at += sizeof(Column) + static_cast<std::size_t>(column.size) * bytes;
+            Pencil pencil;
+            std::memcpy(&pencil, at, sizeof(Pencil));
+            pencils.emplace_back(pencil, at + sizeof(Pencil));
+            at += sizeof(Pencil) + static_cast<std::size_t>(pencil.size) * bytes;
         }
-    std::ranges::sort(columns, {}, [](const auto& c) { return c.first.column; });
+    std::ranges::sort(pencils, {}, [](const auto& c) { return c.first.pencil; });
     all.resize(static_cast<std::size_t>(total_));
     std::size_t i = 0;
-    for (const auto& [column, from] : columns)
-        for (std::int32_t k = 0; k < column.size; ++k) all.unpack(i++, from + static_cast<std::size_t>(k) * bytes);
+    for (const auto& [pencil, from] : pencils)
+        for (std::int32_t k = 0; k < pencil.size; ++k) all.unpack(i++, from + static_cast<std::size_t>(k) * bytes);
     return all;
 }
 
 template <class AtPlace>
 std::vector<AtPlace> RankShare::of_all_ranks(const std::vector<AtPlace>& own,
-                                             const std::vector<std::int32_t>& columns) const {
+                                             const std::vector<std::int32_t>& pencils) const {
     if (!ranks().many()) return own;
     struct Sent {
-        std::int32_t column, triangle;
+        std::int32_t pencil, triangle;
         std::uint64_t body;
         std::array<double, 6> place_and_what;
     };
     std::vector<Sent> sent;
     for (std::size_t k = 0; k < own.size(); ++k) {
         const auto& [body, triangle, place, what] = own[k];
-        sent.push_back({columns[k], triangle, body, {place.x(), place.y(), place.z(), what.x(), what.y(), what.z()}});
+        sent.push_back({pencils[k], triangle, body, {place.x(), place.y(), place.z(), what.x(), what.y(), what.z()}});
     }
     std::vector<Sent> all = ranks().gathered(sent);
-    std::ranges::stable_sort(all, {}, &Sent::column);
+    std::ranges::stable_sort(all, {}, &Sent::pencil);
     std::vector<AtPlace> impulses;
     for (const Sent& s : all)
         impulses.push_back({static_cast<std::size_t>(s.body), s.triangle, Vec3(s.place_and_what.data()),
@@ -174,7 +174,7 @@ void RankShare::fail_together(const Failing& failing) const {
 
 void RankShare::fail_through_wall(std::optional<std::size_t> through) const {
     ++level_.ledger.lost;
-    fail_together({through, through ? -column_of(*through) : 0,
+    fail_together({through, through ? -pencil_of(*through) : 0,
                    "has gone through the hull; often a wall thinner than the kernel's support 2 h, or a spacing too "
                    "coarse for a sharp edge"});
 }

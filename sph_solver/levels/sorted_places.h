@@ -10,19 +10,19 @@ namespace tw {
 
 /// Points in the order and the clusters in which the pair loops visit them, beside a level's particles.
 struct SortedPlaces {
-    ColumnGrid grid;
-    std::vector<std::int32_t> order, start;  ///< order[k]: which point stands at k; first point of each column
+    PencilGrid grid;
+    std::vector<std::int32_t> order, start;  ///< order[k]: which point stands at k; first point of each pencil
     std::vector<PlaceRecord> places;
     std::vector<Cluster> clusters;
     NeighbourLists lists;
 
-    /// `apart`: distance between points [spacings of the level]. `wanted`: which columns of them; empty: all.
+    /// `apart`: distance between points [spacings of the level]. `wanted`: which pencils of them; empty: all.
     SortedPlaces(const std::vector<Vec3>& points, double apart, const ParticleSystem& level,
                  const std::function<bool(int)>& wanted = {})
         : grid(level.grid.scaled(apart)) {
         std::vector<WidePlace> raw(points.size());
         for_particles(raw.size(), [&](std::size_t k) { raw[k] = level.fixed_point.wide(points[k]); });
-        sort_by_column(grid, raw, order, start);
+        sort_by_pencil(grid, raw, order, start);
         places.resize(raw.size());
         for_particles(raw.size(),
                       [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].record(0); });

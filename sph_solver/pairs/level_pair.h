@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sph_solver/levels/step_maker.h"
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 
 namespace tw {
 

@@ -12,20 +12,20 @@ namespace {
 
 class Bisection {
 public:
-    Bisection(const ColumnGrid& grid, std::span<const std::int64_t> work, std::vector<std::int32_t>& owner)
+    Bisection(const PencilGrid& grid, std::span<const std::int64_t> work, std::vector<std::int32_t>& owner)
         : grid_(grid), work_(work), owner_(owner) {}
 
     /// Gives [first, last) to so many ranks from `rank` on.
-    void divide(std::span<std::int32_t> columns, int rank, int ranks) {
+    void divide(std::span<std::int32_t> pencils, int rank, int ranks) {
         if (ranks == 1) {
-            for (const std::int32_t c : columns) owner_[static_cast<std::size_t>(c)] = rank;
+            for (const std::int32_t c : pencils) owner_[static_cast<std::size_t>(c)] = rank;
             return;
         }
-        sort_along_longer_side(columns);
+        sort_along_longer_side(pencils);
         const int left = ranks / 2;
-        const std::size_t cut = cut_at(columns, left, ranks);
-        divide(columns.first(cut), rank, left);
-        divide(columns.subspan(cut), rank + left, ranks - left);
+        const std::size_t cut = cut_at(pencils, left, ranks);
+        divide(pencils.first(cut), rank, left);
+        divide(pencils.subspan(cut), rank + left, ranks - left);
     }
 
 private:
@@ -34,37 +34,37 @@ private:
     }
     std::int64_t work(std::int32_t c) const { return work_[static_cast<std::size_t>(c)]; }
 
-    void sort_along_longer_side(std::span<std::int32_t> columns) const {
+    void sort_along_longer_side(std::span<std::int32_t> pencils) const {
         std::array<int, 2> low{grid_.nx, grid_.ny}, high{-1, -1};
-        for (const std::int32_t c : columns) {
+        for (const std::int32_t c : pencils) {
             if (work(c) == 0) continue;
             for (std::size_t a = 0; a < 2; ++a)
                 low[a] = std::min(low[a], place(c)[a]), high[a] = std::max(high[a], place(c)[a]);
         }
         const bool along_y = high[1] - low[1] > high[0] - low[0];
-        std::ranges::sort(columns, {}, [&](std::int32_t c) {
+        std::ranges::sort(pencils, {}, [&](std::int32_t c) {
             const auto [x, y, z] = place(c);
             return along_y ? std::array{y, x, z} : std::array{x, y, z};
         });
     }
 
-    /// How many columns go to the `left` of all the ranks: as near to their share of the work as whole columns get, and
-    /// on each side at least as many columns with work as ranks, where there are so many.
-    std::size_t cut_at(std::span<const std::int32_t> columns, int left, int ranks) const {
+    /// How many pencils go to the `left` of all the ranks: as near to their share of the work as whole pencils get, and
+    /// on each side at least as many pencils with work as ranks, where there are so many.
+    std::size_t cut_at(std::span<const std::int32_t> pencils, int left, int ranks) const {
         std::int64_t all = 0, busy = 0;
-        for (const std::int32_t c : columns) all += work(c), busy += work(c) > 0;
+        for (const std::int32_t c : pencils) all += work(c), busy += work(c) > 0;
         std::int64_t before = 0, busy_before = 0;
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            const std::int64_t with = before + work(columns[k]);
+        for (std::size_t k = 0; k < pencils.size(); ++k) {
+            const std::int64_t with = before + work(pencils[k]);
             const bool beyond = (before + with) * ranks > 2 * all * left;
-            const bool rest_needs_it = busy - busy_before <= ranks - left && work(columns[k]) > 0;
+            const bool rest_needs_it = busy - busy_before <= ranks - left && work(pencils[k]) > 0;
             if ((beyond && busy_before >= left) || rest_needs_it) return k;
-            before = with, busy_before += work(columns[k]) > 0;
+            before = with, busy_before += work(pencils[k]) > 0;
         }
-        return columns.size();
+        return pencils.size();
     }
 
-    const ColumnGrid& grid_;
+    const PencilGrid& grid_;
     std::span<const std::int64_t> work_;
     std::vector<std::int32_t>& owner_;
 };
@@ -93,11 +93,11 @@ std::vector<Interval> with_images(const Interval& of, const Mirrors& mirrors, st
 
 }  // namespace
 
-Decomposition::Decomposition(const ColumnGrid& grid, const ColumnGrid& blocks, std::span<const std::int64_t> work,
+Decomposition::Decomposition(const PencilGrid& grid, const PencilGrid& blocks, std::span<const std::int64_t> work,
                              int ranks)
     : owner_(static_cast<std::size_t>(grid.count())) {
-    const auto block = [&](std::size_t column) {
-        return static_cast<std::size_t>(blocks.of(grid.centre(static_cast<int>(column))));
+    const auto block = [&](std::size_t pencil) {
+        return static_cast<std::size_t>(blocks.of(grid.centre(static_cast<int>(pencil))));
     };
     std::vector<std::int32_t> all(static_cast<std::size_t>(blocks.count())), of_blocks(all.size());
     std::vector<std::int64_t> work_of_blocks(all.size());
@@ -107,26 +107,26 @@ Decomposition::Decomposition(const ColumnGrid& grid, const ColumnGrid& blocks, s
     for (std::size_t c = 0; c < owner_.size(); ++c) owner_[c] = of_blocks[block(c)];
 }
 
-void Decomposition::find_holders(const ColumnGrid& grid, const Mirrors& mirrors, const WidePlace& low,
+void Decomposition::find_holders(const PencilGrid& grid, const Mirrors& mirrors, const WidePlace& low,
                                  const WidePlace& high, std::int64_t reach) {
     const auto count = static_cast<std::size_t>(grid.count());
     std::vector<std::vector<std::int32_t>> of(count);
     for_particles(count, [&](std::size_t c) {
-        const auto column = static_cast<int>(c);
-        const int cx = column % grid.nx, cy = column / grid.nx % grid.ny, cz = column / grid.nx / grid.ny;
+        const auto pencil = static_cast<int>(c);
+        const int cx = pencil % grid.nx, cy = pencil / grid.nx % grid.ny, cz = pencil / grid.nx / grid.ny;
         const Interval x{grid.x0 + cx * grid.width, grid.x0 + (cx + 1) * grid.width},
             y{grid.y0 + cy * grid.width, grid.y0 + (cy + 1) * grid.width};
         std::vector<std::int32_t>& ranks = of[c];
         for (const Interval& at_x : with_images(x, mirrors, 0, {low.x, high.x}, reach))
             for (const Interval& at_y : with_images(y, mirrors, 1, {low.y, high.y}, reach))
                 for (int oz = std::max(0, cz - 1); oz <= std::min(grid.nz - 1, cz + 1); ++oz)
-                    for (int oy = grid.column_y(at_y.low - reach); oy <= grid.column_y(at_y.high + reach); ++oy)
-                        for (int ox = grid.column_x(at_x.low - reach); ox <= grid.column_x(at_x.high + reach); ++ox) {
+                    for (int oy = grid.pencil_y(at_y.low - reach); oy <= grid.pencil_y(at_y.high + reach); ++oy)
+                        for (int ox = grid.pencil_x(at_x.low - reach); ox <= grid.pencil_x(at_x.high + reach); ++ox) {
                             const double gx = grid.gap_x(ox, at_x.low, at_x.high),
                                          gy = grid.gap_y(oy, at_y.low, at_y.high);
                             if (gx * gx + gy * gy > double(reach) * double(reach)) continue;
-                            const std::int32_t r = owner(grid.column(ox, oy, oz));
-                            if (r != owner(column) && std::ranges::find(ranks, r) == ranks.end()) ranks.push_back(r);
+                            const std::int32_t r = owner(grid.pencil(ox, oy, oz));
+                            if (r != owner(pencil) && std::ranges::find(ranks, r) == ranks.end()) ranks.push_back(r);
                         }
         std::ranges::sort(ranks);
     });
@@ -138,9 +138,9 @@ void Decomposition::find_holders(const ColumnGrid& grid, const Mirrors& mirrors,
     }
 }
 
-bool Decomposition::holds(int rank, int column) const {
-    const auto others = holders(column);
-    return owner(column) == rank || std::ranges::binary_search(others, rank);
+bool Decomposition::holds(int rank, int pencil) const {
+    const auto others = holders(pencil);
+    return owner(pencil) == rank || std::ranges::binary_search(others, rank);
 }
 
 }  // namespace tw

@@ -2,22 +2,22 @@
 
 namespace tw {
 
-Halo::Halo(const Comm& ranks, const Decomposition& columns, std::span<const Sorted> lists) : ranks_(&ranks) {
+Halo::Halo(const Comm& ranks, const Decomposition& pencils, std::span<const Sorted> lists) : ranks_(&ranks) {
     if (!ranks.many()) return;
     std::vector<Partner> all(static_cast<std::size_t>(ranks.size()));
     for (const auto& [start, from] : lists)
         for (std::size_t c = 0; c + 1 < start->size(); ++c) {
             const Range range{from + (*start)[c], from + (*start)[c + 1]};
             if (range.first == range.last) continue;
-            const auto column = static_cast<int>(c);
+            const auto pencil = static_cast<int>(c);
             const auto n = static_cast<std::size_t>(range.last - range.first);
-            if (columns.owner(column) != ranks.rank()) {
-                if (!columns.holds(ranks.rank(), column)) continue;
-                Partner& p = all[static_cast<std::size_t>(columns.owner(column))];
+            if (pencils.owner(pencil) != ranks.rank()) {
+                if (!pencils.holds(ranks.rank(), pencil)) continue;
+                Partner& p = all[static_cast<std::size_t>(pencils.owner(pencil))];
                 p.receive.push_back(range), p.received += n;
                 continue;
             }
-            for (const std::int32_t r : columns.holders(column)) {
+            for (const std::int32_t r : pencils.holders(pencil)) {
                 Partner& p = all[static_cast<std::size_t>(r)];
                 p.send.push_back(range), p.sent += n;
             }

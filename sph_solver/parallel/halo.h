@@ -11,8 +11,8 @@
 
 namespace tw {
 
-/// The halo exchange of things that stand sorted by column: the owner of a column sends them to all who hold a copy of
-/// it. Sender and receiver have the same things of a column in the same order, so nothing but their values is sent.
+/// The halo exchange of things that stand sorted by pencil: the owner of a pencil sends them to all who hold a copy of
+/// it. Sender and receiver have the same things of a pencil in the same order, so nothing but their values is sent.
 ///
 /// A thing's own state (place, velocity, ...) changes alike wherever it is held. What a copy cannot know are sums over
 /// its neighbours, which are not all held beside it: those are exchanged.
@@ -20,12 +20,12 @@ class Halo {
 public:
     /// Of one process: exchanges nothing.
     Halo() = default;
-    /// `starts`: first thing of each column, from an index on for each of several lists, one behind the other.
+    /// `starts`: first thing of each pencil, from an index on for each of several lists, one behind the other.
     struct Sorted {
         const std::vector<std::int32_t>* start;
         std::int32_t from;
     };
-    Halo(const Comm& ranks, const Decomposition& columns, std::span<const Sorted> lists);
+    Halo(const Comm& ranks, const Decomposition& pencils, std::span<const Sorted> lists);
 
     /// Exchanges `bytes` of each thing: `pack(i, to)` on the owner, `unpack(i, from)` on those that hold a copy.
     template <class Pack, class Unpack>

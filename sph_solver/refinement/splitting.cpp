@@ -83,7 +83,7 @@ void Refinement::split_parents() {
         by.resize(at.places.size(), static_cast<std::int32_t>(parent.index));
     }
     coarse_.interpolate(at);
-    const Level::Numbers numbers = coarse_.number_by_column(by);
+    const Level::Numbers numbers = coarse_.number_by_pencil(by);
     const std::int64_t first_id = fine_.take_ids(numbers.all);
     std::vector<Child> daughters;
     for (std::size_t k = 0; k < parent_of.size(); ++k) {

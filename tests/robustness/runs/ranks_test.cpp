@@ -107,7 +107,7 @@ TEST_F(Ranks, ARunWithTwoSizesGoesOnWithAnotherNumberOfRanks) {
     for (const char* of : {"births", "spray"}) EXPECT_GT(last(folder.path() / "ranks_1/sph", 1, of), 10) << of;
 }
 
-/// What the gate takes is found in the water of all ranks: a block in the air, which stands in the columns of several.
+/// What the gate takes is found in the water of all ranks: a block in the air, which stands in the pencils of several.
 TEST_F(Ranks, TheSprayGateTakesTheSameBytes) {
     const ScratchFolder folder("ranks_gate");
     const fs::path scene = folder.path() / "scene.toml";

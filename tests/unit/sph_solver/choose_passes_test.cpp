@@ -13,7 +13,7 @@
 #include <string>
 
 #include "base/errors.h"
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
@@ -93,7 +93,7 @@ Sums sums_with(const Passes& passes) {
     constexpr double dp = 0.1, h = 1.5 * dp;
     constexpr int edge = 10;
     const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
-    const ColumnGrid grid({Vec3::Zero(), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
+    const PencilGrid grid({Vec3::Zero(), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
     std::uniform_real_distribution<float> any(-1, 1);
@@ -106,7 +106,7 @@ Sums sums_with(const Passes& passes) {
     }
     raw[1] = raw[0];  // two at one place
     std::vector<std::int32_t> order, start;
-    sort_by_column(grid, raw, order, start);
+    sort_by_pencil(grid, raw, order, start);
     std::vector<PlaceRecord> place;
     std::vector<VelocityDensityRecord> motion;
     for (const std::int32_t k : order) {

@@ -1,4 +1,4 @@
-// How the columns of a level are shared by ranks, and who holds copies of them. What the ranks then do with it is in
+// How the pencils of a level are shared by ranks, and who holds copies of them. What the ranks then do with it is in
 // tests/robustness/runs/ranks_test.cpp.
 #include <gtest/gtest.h>
 
@@ -15,59 +15,59 @@ const double dp = 0.1;
 const Quanta fixed_point(Vec3(2, 1, 0), dp / (1 << 18));
 const Box domain{Vec3(0, 0, 0), Vec3(4, 2, 1)};
 
-ColumnGrid grid_over_domain() {
+PencilGrid grid_over_domain() {
     Box area = domain;
     area.min.array() -= 4 * dp;
     area.max.array() += 4 * dp;
-    return ColumnGrid(area, dp, 3, fixed_point, 8);
+    return PencilGrid(area, dp, 3, fixed_point, 8);
 }
-/// Water that stands thrice as high in one half, and dry columns all round it.
-std::vector<std::int64_t> work_of(const ColumnGrid& grid) {
+/// Water that stands thrice as high in one half, and dry pencils all round it.
+std::vector<std::int64_t> work_of(const PencilGrid& grid) {
     std::vector<std::int64_t> work(static_cast<std::size_t>(grid.count()), 0);
     for (int y = 2; y < grid.ny - 2; ++y)
         for (int x = 2; x < grid.nx - 2; ++x)
-            work[static_cast<std::size_t>(grid.column(x, y, 0))] = x < grid.nx / 2 ? 300 : 100;
+            work[static_cast<std::size_t>(grid.pencil(x, y, 0))] = x < grid.nx / 2 ? 300 : 100;
     return work;
 }
 
-TEST(Decomposition, ItsPartsHaveTheSameWorkToWithinAColumn) {
-    const ColumnGrid grid = grid_over_domain();
+TEST(Decomposition, ItsPartsHaveTheSameWorkToWithinAPencil) {
+    const PencilGrid grid = grid_over_domain();
     const std::vector<std::int64_t> work = work_of(grid);
     for (const int ranks : {1, 2, 3, 4, 7, 16}) {
-        const Decomposition columns(grid, grid, work, ranks);
+        const Decomposition pencils(grid, grid, work, ranks);
         std::vector<std::int64_t> of_rank(static_cast<std::size_t>(ranks), 0);
         std::int64_t all = 0;
         for (int c = 0; c < grid.count(); ++c) {
-            ASSERT_LT(columns.owner(c), ranks);
-            of_rank[static_cast<std::size_t>(columns.owner(c))] += work[static_cast<std::size_t>(c)];
+            ASSERT_LT(pencils.owner(c), ranks);
+            of_rank[static_cast<std::size_t>(pencils.owner(c))] += work[static_cast<std::size_t>(c)];
             all += work[static_cast<std::size_t>(c)];
         }
-        // each cut is wrong by half a column at most, and there are four one after another for 16 parts
+        // each cut is wrong by half a pencil at most, and there are four one after another for 16 parts
         for (const std::int64_t own : of_rank) EXPECT_NEAR(double(own), double(all) / ranks, 300) << ranks << " ranks";
     }
 }
 
-TEST(Decomposition, NoRankIsLeftWithoutWaterWhileThereAreColumns) {
-    const ColumnGrid grid = grid_over_domain();
+TEST(Decomposition, NoRankIsLeftWithoutWaterWhileThereArePencils) {
+    const PencilGrid grid = grid_over_domain();
     std::vector<std::int64_t> work(static_cast<std::size_t>(grid.count()), 0);
-    work[static_cast<std::size_t>(grid.column(3, 3, 0))] = 1000000;  // of three columns one has nearly all
-    work[static_cast<std::size_t>(grid.column(4, 3, 0))] = work[static_cast<std::size_t>(grid.column(9, 3, 0))] = 1;
-    const Decomposition columns(grid, grid, work, 3);
-    EXPECT_NE(columns.owner(grid.column(3, 3, 0)), columns.owner(grid.column(4, 3, 0)));
-    EXPECT_NE(columns.owner(grid.column(4, 3, 0)), columns.owner(grid.column(9, 3, 0)));
+    work[static_cast<std::size_t>(grid.pencil(3, 3, 0))] = 1000000;  // of three pencils one has nearly all
+    work[static_cast<std::size_t>(grid.pencil(4, 3, 0))] = work[static_cast<std::size_t>(grid.pencil(9, 3, 0))] = 1;
+    const Decomposition pencils(grid, grid, work, 3);
+    EXPECT_NE(pencils.owner(grid.pencil(3, 3, 0)), pencils.owner(grid.pencil(4, 3, 0)));
+    EXPECT_NE(pencils.owner(grid.pencil(4, 3, 0)), pencils.owner(grid.pencil(9, 3, 0)));
 }
 
-TEST(Decomposition, TheColumnsOfABlockGoToOneRank) {
-    const ColumnGrid grid = grid_over_domain(), blocks = grid.scaled(2);
+TEST(Decomposition, ThePencilsOfABlockGoToOneRank) {
+    const PencilGrid grid = grid_over_domain(), blocks = grid.scaled(2);
     const auto block = [&](int c) { return blocks.of(grid.centre(c)); };
-    const Decomposition columns(grid, blocks, work_of(grid), 5), apart(grid, grid, work_of(grid), 5);
+    const Decomposition pencils(grid, blocks, work_of(grid), 5), apart(grid, grid, work_of(grid), 5);
     std::vector<std::int64_t> of_rank(5, 0);
     bool cut = false;
     for (int c = 0; c < grid.count(); ++c) {
-        of_rank[static_cast<std::size_t>(columns.owner(c))] += work_of(grid)[static_cast<std::size_t>(c)];
+        of_rank[static_cast<std::size_t>(pencils.owner(c))] += work_of(grid)[static_cast<std::size_t>(c)];
         for (int other = 0; other < c; ++other) {
             if (block(c) != block(other)) continue;
-            ASSERT_EQ(columns.owner(c), columns.owner(other)) << c << " " << other;
+            ASSERT_EQ(pencils.owner(c), pencils.owner(other)) << c << " " << other;
             cut = cut || apart.owner(c) != apart.owner(other);
         }
     }
@@ -76,13 +76,13 @@ TEST(Decomposition, TheColumnsOfABlockGoToOneRank) {
 }
 
 TEST(Decomposition, ACopyIsHeldByAllWhoHaveAPlaceWithinReachOfItOrOfItsImage) {
-    const ColumnGrid grid = grid_over_domain();
+    const PencilGrid grid = grid_over_domain();
     Mirrors mirrors;
     mirrors.on[0] = {true, false};
     mirrors.on[1] = {true, true};
     const double reach = 3.7 * dp;
-    Decomposition columns(grid, grid, work_of(grid), 5);
-    columns.find_holders(grid, mirrors, fixed_point.wide(domain.min), fixed_point.wide(domain.max),
+    Decomposition pencils(grid, grid, work_of(grid), 5);
+    pencils.find_holders(grid, mirrors, fixed_point.wide(domain.min), fixed_point.wide(domain.max),
                          static_cast<std::int64_t>(reach * fixed_point.per_metre) + 1);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> x(0, 4), y(0, 2), apart(-reach, reach);
@@ -95,15 +95,15 @@ TEST(Decomposition, ACopyIsHeldByAllWhoHaveAPlaceWithinReachOfItOrOfItsImage) {
         if (n % 5 == 0 && 2 - of.y() < reach) seen.y() = 4 - seen.y();
         const Vec3 from = seen + Vec3(apart(random), apart(random), 0);
         if ((from - seen).norm() > reach) continue;
-        const int owner = columns.owner(grid.of(fixed_point.wide(from))), column = grid.of(fixed_point.wide(of));
-        EXPECT_TRUE(columns.holds(owner, column)) << of.transpose() << " is seen from " << from.transpose();
-        across += owner != columns.owner(column);
-        by_image += owner != columns.owner(column) && seen != of;
+        const int owner = pencils.owner(grid.of(fixed_point.wide(from))), pencil = grid.of(fixed_point.wide(of));
+        EXPECT_TRUE(pencils.holds(owner, pencil)) << of.transpose() << " is seen from " << from.transpose();
+        across += owner != pencils.owner(pencil);
+        by_image += owner != pencils.owner(pencil) && seen != of;
     }
     EXPECT_GT(across, 100);
     EXPECT_GT(by_image, 10);
     int copies = 0;
-    for (int c = 0; c < grid.count(); ++c) copies += static_cast<int>(columns.holders(c).size());
+    for (int c = 0; c < grid.count(); ++c) copies += static_cast<int>(pencils.holders(c).size());
     EXPECT_LT(copies, grid.count());  // or all hold all
 }
 
@@ -138,13 +138,13 @@ TEST(FieldTable, AParticlePackedAndUnpackedIsTheSame) {
     EXPECT_EQ(to.aired[1], Aired::yes);
 }
 
-TEST(Columns, WhatHasOnePlaceIsOrderedByItsId) {
-    const ColumnGrid grid = grid_over_domain();
+TEST(Pencils, WhatHasOnePlaceIsOrderedByItsId) {
+    const PencilGrid grid = grid_over_domain();
     const std::vector<std::int64_t> ids{5, 3, 9, 1};
     std::vector<WidePlace> places(4, fixed_point.wide({1, 1, 0.5}));
     places[2] = fixed_point.wide({1, 1, 0.2});
     std::vector<std::int32_t> order, start;
-    sort_by_column(grid, places, order, start);
+    sort_by_pencil(grid, places, order, start);
     EXPECT_EQ(order, (std::vector<std::int32_t>{2, 0, 1, 3}));
     order_coincident(
         places, start, [&](std::int32_t k) { return ids[static_cast<std::size_t>(k)]; }, order);

@@ -111,7 +111,7 @@ TEST(Ghosts, AreRefreshedByEachQuantitysLaw) {
     Particles p;
     p.add(0, 0.5, -0.95, 0, 0, 0, Kind::fluid);
     p.add(0.95, 0.5, 0, 0, 0, 1, Kind::fluid);
-    ghosts.find(p, ColumnGrid(box, level.dp, 3, fine, 8), 0.1);
+    ghosts.find(p, PencilGrid(box, level.dp, 3, fine, 8), 0.1);
     ASSERT_EQ(ghosts.count(), 2u);
     p.make_room(ghosts.count());
     ASSERT_EQ(p.place.size(), 4u);

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <random>
 
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
 namespace lists_test {
 
-/// A cloud without any order, sorted and cut into clusters as the solver does: some columns tall, some empty.
+/// A cloud without any order, sorted and cut into clusters as the solver does: some pencils tall, some empty.
 struct Cloud {
     double dp = 0.1;
     Quanta fixed_point{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
-    ColumnGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, fixed_point,
+    PencilGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, fixed_point,
                     passes().lanes};  // smaller than the cloud
     std::vector<PlaceRecord> places;
     std::vector<std::int32_t> start;
@@ -29,7 +29,7 @@ struct Cloud {
             raw.push_back(fixed_point.wide({x, y, top * height(random)}));
         }
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, order, start);
+        sort_by_pencil(grid, raw, order, start);
         for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
         make_clusters({&grid, places.data(), &start, 0}, passes().lanes, clusters);
     }
@@ -87,14 +87,14 @@ TEST(NeighbourLists, HoldWhoeverIsWithinReachAndNobodyElse) {
 }
 
 // As when one level's particles are looked for among another's: the clusters' places are sorted by a grid of their own.
-TEST(NeighbourLists, HoldThemForPlacesSortedByColumnsOfAnotherWidth) {
+TEST(NeighbourLists, HoldThemForPlacesSortedByPencilsOfAnotherWidth) {
     const Cloud cloud;
     for (const double factor : {0.5, 2.0}) {
-        const ColumnGrid grid = cloud.grid.scaled(factor);
+        const PencilGrid grid = cloud.grid.scaled(factor);
         std::vector<WidePlace> raw;
         for (const PlaceRecord& p : cloud.places) raw.push_back({p.x + 1000, p.y, p.z});
         std::vector<std::int32_t> order, start;
-        sort_by_column(grid, raw, order, start);
+        sort_by_pencil(grid, raw, order, start);
         std::vector<PlaceRecord> places;
         for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
         const Source targets{&grid, places.data(), &start, 0};

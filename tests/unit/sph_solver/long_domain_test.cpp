@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
@@ -32,7 +32,7 @@ struct Row {
     Row(int spacings, bool upright) : length(spacings) {
         const double end = spacings * dp;
         const Box area{Vec3(0, 0, 0), upright ? Vec3(rows * dp, 0, end) : Vec3(end, 0, rows * dp)};
-        const ColumnGrid grid(area, dp, 2, fixed_point, passes().lanes);
+        const PencilGrid grid(area, dp, 2, fixed_point, passes().lanes);
         EXPECT_EQ(grid.nz > 1, upright && spacings > 4096);
         std::mt19937 random(4);
         std::uniform_int_distribution<std::int64_t> jitter(-one_dp / 5, one_dp / 5);
@@ -49,7 +49,7 @@ struct Row {
                 const std::int64_t along = k * one_dp + moved.along, across = m * one_dp + moved.across;
                 raw.push_back(upright ? WidePlace{across, 0, along} : WidePlace{along, 0, across});
             }
-        sort_by_column(grid, raw, order, start);
+        sort_by_pencil(grid, raw, order, start);
         for (const std::int32_t i : order) {
             place.push_back(raw[static_cast<std::size_t>(i)].record(static_cast<float>(dp * dp)));
             motion.push_back(pattern[i % (period * rows)].motion);

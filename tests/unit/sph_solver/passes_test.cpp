@@ -6,7 +6,7 @@
 #include <cstring>
 #include <random>
 
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
@@ -23,7 +23,7 @@ struct Basin {
     enum Bodies { floor_alone, plate_alone, both };
 
     Quanta fixed_point{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
-    ColumnGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, fixed_point, passes().lanes};
+    PencilGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, fixed_point, passes().lanes};
     std::vector<PlaceRecord> place, wall_place;
     std::vector<std::int32_t> start, wall_start[2], body_end;
     std::vector<VelocityDensityRecord> motion;
@@ -108,7 +108,7 @@ struct Basin {
     }
     void add_sorted(const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& to, std::vector<std::int32_t>& at) {
         std::vector<std::int32_t> order;
-        sort_by_column(grid, raw, order, at);
+        sort_by_pencil(grid, raw, order, at);
         for (const std::int32_t k : order)
             to.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
     }

@@ -21,7 +21,7 @@
 
 #include "base/vec3.h"
 #include "sph_solver/equations/kernel.h"
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 #include "sph_solver/pair_loops/views.h"
 
 namespace tw {
@@ -56,13 +56,13 @@ PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f)
     const double h = h_over_dp * dp;
     const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
     const Box area{Vec3(-dp, -dp, -dp), Vec3::Constant(n * dp + dp)};
-    const ColumnGrid grid(area, dp, 2, fixed_point, passes().lanes);
+    const PencilGrid grid(area, dp, 2, fixed_point, passes().lanes);
     const Kernel kernel(h, 2);
     std::vector<WidePlace> raw;
     std::vector<PlaceRecord> sorted;
     for (const Vec3& x : unsorted) raw.push_back(fixed_point.wide(Vec3(x.x(), 0, x.z())));
     std::vector<std::int32_t> order, start;
-    sort_by_column(grid, raw, order, start);
+    sort_by_pencil(grid, raw, order, start);
     PairLoop r;
     std::vector<VelocityDensityRecord> motion;
     for (const std::int32_t k : order) {

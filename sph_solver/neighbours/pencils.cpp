@@ -1,4 +1,4 @@
-#include "sph_solver/neighbours/columns.h"
+#include "sph_solver/neighbours/pencils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 
 namespace tw {
 
-ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes) {
+PencilGrid::PencilGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes) {
     constexpr double tallest = 4096;
     const double edge = dimensions == 3 ? std::cbrt(double(lanes)) * dp : std::sqrt(double(lanes)) * dp;
-    const auto columns = [](double length, double each) { return std::max(1.0, std::ceil(length / each)); };
-    const double x = columns(area.size().x(), edge), y = dimensions == 3 ? columns(area.size().y(), edge) : 1,
-                 z = columns(area.size().z(), tallest * dp);
+    const auto pencils = [](double length, double each) { return std::max(1.0, std::ceil(length / each)); };
+    const double x = pencils(area.size().x(), edge), y = dimensions == 3 ? pencils(area.size().y(), edge) : 1,
+                 z = pencils(area.size().z(), tallest * dp);
     if (x * y * z > 1e9)
         throw InputError("the domain has more than 10^9 columns of particles; often a spacing far too small");
     width = static_cast<std::int64_t>(edge / fixed_point.size);
@@ -25,21 +25,21 @@ ColumnGrid::ColumnGrid(const Box& area, double dp, int dimensions, const Quanta&
     nx = static_cast<int>(x), ny = static_cast<int>(y), nz = static_cast<int>(z);
 }
 
-ColumnGrid ColumnGrid::scaled(double factor) const {
-    ColumnGrid to = *this;
+PencilGrid PencilGrid::scaled(double factor) const {
+    PencilGrid to = *this;
     to.width = std::max<std::int64_t>(1, std::llround(double(width) * factor));
-    const auto columns = [&](int n) { return n == 1 ? 1 : static_cast<int>((n * width + to.width - 1) / to.width); };
-    to.nx = columns(nx), to.ny = columns(ny);
+    const auto pencils = [&](int n) { return n == 1 ? 1 : static_cast<int>((n * width + to.width - 1) / to.width); };
+    to.nx = pencils(nx), to.ny = pencils(ny);
     return to;
 }
 
-void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
+void sort_by_pencil(const PencilGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
                     std::vector<std::int32_t>& start) {
     const std::size_t n = places.size();
-    std::vector<std::int32_t> column(n);
-    for_particles(n, [&](std::size_t i) { column[i] = grid.of(places[i]); });
+    std::vector<std::int32_t> pencil(n);
+    for_particles(n, [&](std::size_t i) { pencil[i] = grid.of(places[i]); });
     start.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
-    for (std::int32_t c : column) ++start[static_cast<std::size_t>(c) + 1];
+    for (std::int32_t c : pencil) ++start[static_cast<std::size_t>(c) + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::int32_t> fill(start.begin(), start.end() - 1);
     struct Key {
@@ -48,16 +48,16 @@ void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places
     };
     std::vector<Key> keys(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const WidePlace &p = places[i], from = grid.centre(column[i]);
-        keys[static_cast<std::size_t>(fill[static_cast<std::size_t>(column[i])]++)] = {
+        const WidePlace &p = places[i], from = grid.centre(pencil[i]);
+        keys[static_cast<std::size_t>(fill[static_cast<std::size_t>(pencil[i])]++)] = {
             static_cast<std::int32_t>(p.z - from.z), static_cast<std::int32_t>(p.x - from.x),
             static_cast<std::int32_t>(p.y - from.y), static_cast<std::int32_t>(i)};
     }
     order.resize(n);
     constexpr std::size_t per_piece = 64;
-    const auto columns = static_cast<std::size_t>(grid.count());
-    for_pieces((columns + per_piece - 1) / per_piece, [&](std::size_t piece) {
-        for (std::size_t c = piece * per_piece; c < std::min(columns, (piece + 1) * per_piece); ++c) {
+    const auto pencils = static_cast<std::size_t>(grid.count());
+    for_pieces((pencils + per_piece - 1) / per_piece, [&](std::size_t piece) {
+        for (std::size_t c = piece * per_piece; c < std::min(pencils, (piece + 1) * per_piece); ++c) {
             std::sort(keys.begin() + start[c], keys.begin() + start[c + 1]);
             for (auto k = static_cast<std::size_t>(start[c]); k < static_cast<std::size_t>(start[c + 1]); ++k)
                 order[k] = keys[k].index;
@@ -71,7 +71,7 @@ namespace {
 struct Bounds {
     std::int64_t lo[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, hi[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
 };
-/// `from`: the centre of the cluster's column.
+/// `from`: the centre of the cluster's pencil.
 Bounds bounds(const PlaceRecord* places, const Cluster& g, const WidePlace& from) {
     const auto in_full = [](std::int32_t x, std::int64_t near) {
         return near + difference(x, static_cast<std::int32_t>(near));
@@ -108,10 +108,10 @@ void order_coincident(const std::vector<WidePlace>& places, const std::vector<st
 }
 
 void make_clusters(const Source& source, int lanes, std::vector<Cluster>& clusters,
-                   const std::function<bool(int column)>& wanted) {
+                   const std::function<bool(int pencil)>& wanted) {
     const std::vector<std::int32_t>& start = *source.start;
     clusters.clear();
-    std::vector<int> column;
+    std::vector<int> pencil;
     for (std::size_t c = 0; c + 1 < start.size(); ++c) {
         if (wanted && !wanted(static_cast<int>(c))) continue;
         for (std::int32_t i = start[c]; i < start[c + 1]; i += lanes) {
@@ -119,12 +119,12 @@ void make_clusters(const Source& source, int lanes, std::vector<Cluster>& cluste
             g.first = i;
             g.size = std::min(lanes, start[c + 1] - i);
             clusters.push_back(g);
-            column.push_back(static_cast<int>(c));
+            pencil.push_back(static_cast<int>(c));
         }
     }
     for_particles(clusters.size(), [&](std::size_t n) {
         Cluster& g = clusters[n];
-        const Bounds box = bounds(source.places, g, source.grid->centre(column[n]));
+        const Bounds box = bounds(source.places, g, source.grid->centre(pencil[n]));
         g.x = static_cast<std::int32_t>((box.lo[0] + box.hi[0]) / 2);
         g.y = static_cast<std::int32_t>((box.lo[1] + box.hi[1]) / 2);
         g.z = static_cast<std::int32_t>((box.lo[2] + box.hi[2]) / 2);
@@ -133,8 +133,8 @@ void make_clusters(const Source& source, int lanes, std::vector<Cluster>& cluste
 
 namespace {
 
-/// Looks for a cluster's neighbours column by column, for one cluster after another up a column: then what was too low
-/// for one cluster is too low for the next, and no column is searched from its ends again.
+/// Looks for a cluster's neighbours pencil by pencil, for one cluster after another up a pencil: then what was too low
+/// for one cluster is too low for the next, and no pencil is searched from its ends again.
 class Search {
 public:
     Search(double reach, const Source& source)
@@ -156,21 +156,21 @@ public:
 private:
     void collect_in_slab(int cz, std::int64_t r, const Bounds& box, std::int64_t cluster_z, const ClusterReach& cluster,
                          const Passes& pass, std::vector<NeighbourBlock>& out) {
-        const int x0 = grid_.column_x(box.lo[0] - r), x1 = grid_.column_x(box.hi[0] + r),
-                  y1 = grid_.column_y(box.hi[1] + r);
+        const int x0 = grid_.pencil_x(box.lo[0] - r), x1 = grid_.pencil_x(box.hi[0] + r),
+                  y1 = grid_.pencil_y(box.hi[1] + r);
         const std::int64_t middle = grid_.middle_of_slab(cz);
         const auto below = [from = static_cast<std::int32_t>(middle)](const PlaceRecord& p, std::int64_t z) {
             return difference(p.z, from) < z;
         };
         const PlaceRecord* all_end = source_.places + source_.start->back();
-        for (int cy = grid_.column_y(box.lo[1] - r); cy <= y1; ++cy) {
+        for (int cy = grid_.pencil_y(box.lo[1] - r); cy <= y1; ++cy) {
             const double gap_y = grid_.gap_y(cy, box.lo[1], box.hi[1]);
             for (int cx = x0; cx <= x1; ++cx) {
                 const double gap_x = grid_.gap_x(cx, box.lo[0], box.hi[0]);
                 const double left2 = reach_ * reach_ - gap_x * gap_x - gap_y * gap_y;
                 if (left2 < 0) continue;
                 const auto up = static_cast<std::int64_t>(std::ceil(std::sqrt(left2)));
-                const auto c = static_cast<std::size_t>(grid_.column(cx, cy, cz));
+                const auto c = static_cast<std::size_t>(grid_.pencil(cx, cy, cz));
                 const PlaceRecord* end = source_.places + (*source_.start)[c + 1];
                 const PlaceRecord* p = lowest(c, end, box.lo[2] - r - middle, below);
                 while (p < end && below(*p, box.lo[2] - up - middle)) ++p;
@@ -186,16 +186,16 @@ private:
         }
     }
 
-    /// The column's first place not below z.
+    /// The pencil's first place not below z.
     template <class Below>
-    const PlaceRecord* lowest(std::size_t column, const PlaceRecord* end, std::int64_t z, const Below& below) {
-        Cursor& cursor = cursors_[column];
+    const PlaceRecord* lowest(std::size_t pencil, const PlaceRecord* end, std::int64_t z, const Below& below) {
+        Cursor& cursor = cursors_[pencil];
         const PlaceRecord* p;
         if (cursor.run == run_) {
             p = source_.places + cursor.at;
             while (p < end && below(*p, z)) ++p;
         } else {
-            p = std::lower_bound(source_.places + (*source_.start)[column], end, z, below);
+            p = std::lower_bound(source_.places + (*source_.start)[pencil], end, z, below);
         }
         cursor = {run_, static_cast<std::int32_t>(p - source_.places)};
         return p;
@@ -204,7 +204,7 @@ private:
     struct Cursor {
         std::int32_t run = 0, at = 0;
     };
-    const ColumnGrid& grid_;
+    const PencilGrid& grid_;
     const Source& source_;
     double reach_;
     std::int32_t run_ = 0;
@@ -234,15 +234,15 @@ void NeighbourLists::build(const Passes& pass, const Quanta& fixed_point, const 
         const std::size_t first = k * per_chunk, last = std::min(clusters.size(), first + per_chunk);
         const std::vector<std::int32_t>& start = *targets.start;
         const auto after = std::upper_bound(start.begin(), start.end(), clusters[first].first);
-        int column = static_cast<int>(after - start.begin()) - 1;
+        int pencil = static_cast<int>(after - start.begin()) - 1;
         for (Search& s : searches) s.start_anew();
         for (std::size_t n = first; n < last; ++n) {
             const std::size_t before = scratch.size();
-            if (clusters[n].first >= start[static_cast<std::size_t>(column) + 1]) {
-                while (clusters[n].first >= start[static_cast<std::size_t>(column) + 1]) ++column;
+            if (clusters[n].first >= start[static_cast<std::size_t>(pencil) + 1]) {
+                while (clusters[n].first >= start[static_cast<std::size_t>(pencil) + 1]) ++pencil;
                 for (Search& s : searches) s.start_anew();
             }
-            const WidePlace centre = targets.grid->centre(column);
+            const WidePlace centre = targets.grid->centre(pencil);
             const Bounds box = bounds(targets.places, clusters[n], centre);
             const ClusterReach cluster = pass.reach_of(targets.places, clusters[n], in_fixed_point);
             for (Search& s : searches) s.collect(box, centre.z, cluster, pass, scratch);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "sph_solver/neighbours/column_grid.h"
+#include "sph_solver/neighbours/pencil_grid.h"
 #include "sph_solver/pair_loops/passes.h"
 #include "sph_solver/pair_loops/records.h"
 
@@ -16,7 +16,7 @@ namespace tw {
 ///
 /// The passes see 32 bits of them, which wrap every 2^32 fixed-point units (16384 dp): the difference of two places is
 /// exact as long as they are within 8192 dp of each other, whatever the length of the domain. Who may be neighbours is
-/// known from the columns.
+/// known from the pencils.
 ///
 /// Levels of different spacing have the same origin and fixed-point units that are powers of two of one another, so
 /// that a place goes from one level to the next by a shift.
@@ -36,36 +36,36 @@ struct Quanta {
     }
 };
 
-/// Such columns over a box.
-struct ColumnGrid : Columns {
-    ColumnGrid() = default;
-    /// `area`: the box to cover [m]. Columns are as wide as a cube of `lanes` particles (in 2-D: a square). Throws
+/// Such pencils over a box.
+struct PencilGrid : Pencils {
+    PencilGrid() = default;
+    /// `area`: the box to cover [m]. Pencils are as wide as a cube of `lanes` particles (in 2-D: a square). Throws
     /// InputError where there would be more than 10^9 of them.
-    ColumnGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes);
-    /// The same box in columns `factor` times as wide.
-    ColumnGrid scaled(double factor) const;
+    PencilGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes);
+    /// The same box in pencils `factor` times as wide.
+    PencilGrid scaled(double factor) const;
 };
 
-/// Order that sorts places by column, then z, then x, y: a function of the places alone. `start` gets the first index
-/// of each column (count + 1 entries).
-void sort_by_column(const ColumnGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
+/// Order that sorts places by pencil, then z, then x, y: a function of the places alone. `start` gets the first index
+/// of each pencil (count + 1 entries).
+void sort_by_pencil(const PencilGrid& grid, const std::vector<WidePlace>& places, std::vector<std::int32_t>& order,
                     std::vector<std::int32_t>& start);
 
 /// Sorted places in which neighbours are looked for.
 struct Source {
-    const ColumnGrid* grid;     ///< that they are sorted by
-    const PlaceRecord* places;  ///< indexed by column start + offset
+    const PencilGrid* grid;     ///< that they are sorted by
+    const PlaceRecord* places;  ///< indexed by pencil start + offset
     const std::vector<std::int32_t>* start;
     std::int32_t offset;  ///< index of the first place in the pass's index space
 };
 
-/// Sorts those of a column that have the same place by `id`: then the order does not depend on what it was before.
+/// Sorts those of a pencil that have the same place by `id`: then the order does not depend on what it was before.
 void order_coincident(const std::vector<WidePlace>& places, const std::vector<std::int32_t>& start,
                       const std::function<std::int64_t(std::int32_t)>& id, std::vector<std::int32_t>& order);
 
-/// Cuts each column of sorted places into clusters of up to `lanes`. `wanted`: which columns; empty: all.
+/// Cuts each pencil of sorted places into clusters of up to `lanes`. `wanted`: which pencils; empty: all.
 void make_clusters(const Source& places, int lanes, std::vector<Cluster>& clusters,
-                   const std::function<bool(int column)>& wanted = {});
+                   const std::function<bool(int pencil)>& wanted = {});
 
 /// Gives every cluster with walls near its slots for loads, one for each body that it has in reach (see
 /// WallView::body_end); returns how many slots there are.
