@@ -22,11 +22,11 @@ double kernel_peak(const Passes& passes, const WaterView& like, int threads) {
     for (int trial = 0; trial < 3; ++trial) {
         const double start = wall_now();
         on_each_of(threads, [&] {
-            std::vector<PlaceRecord> place(n);
-            std::vector<VelocityDensityRecord> motion(n, VelocityDensityRecord{0, 0, 0, 0});
-            std::vector<GradientPressureRecord> stress(n, GradientPressureRecord{0, 0, 0, 0});
-            std::vector<ShiftSupportRecord> shift(most_lanes);
-            std::vector<RateRecord> rate(most_lanes);
+            std::vector<PackedPlace> place(n);
+            std::vector<PackedVelocityDensity> motion(n, PackedVelocityDensity{0, 0, 0, 0});
+            std::vector<PackedGradientPressure> stress(n, PackedGradientPressure{0, 0, 0, 0});
+            std::vector<PackedShiftSupport> shift(most_lanes);
+            std::vector<PackedRate> rate(most_lanes);
             const std::vector<std::uint32_t> surface(n / 32 + 2, 0);
             std::vector<NeighbourBlock> list;
             for (int k = 0; k < n; ++k)

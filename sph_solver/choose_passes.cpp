@@ -108,21 +108,21 @@ private:
     static Vec3 cell(int k, int lowest) {
         return dp * Vec3(k % edge + 0.5, k / edge % edge + 0.5, lowest + k / edge / edge + 0.5);
     }
-    static void sort(const PencilGrid& grid, const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& places,
+    static void sort(const PencilGrid& grid, const std::vector<WidePlace>& raw, std::vector<PackedPlace>& places,
                      std::vector<std::int32_t>& start) {
         std::vector<std::int32_t> order;
         sort_by_pencil(grid, raw, order, start);
         for (const std::int32_t k : order)
-            places.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
+            places.push_back(raw[static_cast<std::size_t>(k)].packed(static_cast<float>(dp * dp * dp)));
     }
 
     const Passes& passes_;
-    std::vector<PlaceRecord> place_, wall_place_;
-    std::vector<VelocityDensityRecord> motion_;
-    std::vector<GradientPressureRecord> stress_;
-    std::vector<ShiftSupportRecord> shift_;
-    std::vector<RateRecord> rate_;
-    std::vector<WallNormalRecord> normal_;
+    std::vector<PackedPlace> place_, wall_place_;
+    std::vector<PackedVelocityDensity> motion_;
+    std::vector<PackedGradientPressure> stress_;
+    std::vector<PackedShiftSupport> shift_;
+    std::vector<PackedRate> rate_;
+    std::vector<PackedWallNormal> normal_;
     std::vector<float> wall_p_;
     std::vector<WallLoad> wall_load_;
     std::vector<std::uint32_t> surface_;

@@ -178,7 +178,7 @@ void Simulation::sample_levels(PointSamples& points) {
 void Simulation::sample(PointSamples& points) {
     if (!refinements_.empty()) return sample_levels(points);
     const Level& water = level(0);  // of which a rank may hold nothing
-    if (water.ranks().sum(std::int64_t{water.has_records()}) == 0) stepper_->look();
+    if (water.ranks().sum(std::int64_t{water.has_packed_arrays()}) == 0) stepper_->look();
     level(0).sample(points);
     if (levels_.size() == 1) return;
     const std::size_t n = points.places.size();

@@ -5,7 +5,7 @@
 
 #include "sph_solver/bodies/load.h"
 #include "sph_solver/pair_loops/clusters.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 

@@ -7,7 +7,7 @@ WallPushes wall_pushes(const Bodies& bodies, const Particles& p, std::span<const
     WallPushes all;
     for (const std::int32_t index : near) {  // in order: the sums keep their bits
         const auto i = static_cast<std::size_t>(index);
-        const WallNormalRecord& n = p.wall_normal[i];
+        const PackedWallNormal& n = p.wall_normal[i];
         const std::size_t b = p.wall_body[i];
         const double pressing = bodies[b]->pressing(double(n.distance), dp);
         if (pressing <= 0) continue;

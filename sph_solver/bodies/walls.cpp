@@ -34,7 +34,7 @@ Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup&
         std::vector<Vec3> places;
         for (const std::int32_t n : order) {
             const auto k = static_cast<std::size_t>(n);
-            place_.push_back(raw[k].record(static_cast<float>(d.volumes[k])));
+            place_.push_back(raw[k].packed(static_cast<float>(d.volumes[k])));
             if (keep_places) places.push_back(d.places[k]);
         }
         if (keep_places) attached_.push_back(body->attach(std::move(places)));
@@ -81,7 +81,7 @@ void Walls::follow(const Quanta& fixed_point) {
             const Vec3 x = points.place(k);
             const Attached::Motion motion = points.motion(k, x);
             const Eigen::Vector3f u = motion.velocity.cast<float>(), a = motion.acceleration.cast<float>();
-            place_[first + k] = fixed_point.wide(x).record(place_[first + k].volume);
+            place_[first + k] = fixed_point.wide(x).packed(place_[first + k].volume);
             velocity_[first + k] = {u.x(), u.y(), u.z()};
             acceleration_[first + k] = {a.x(), a.y(), a.z()};
         }
@@ -110,11 +110,11 @@ void Walls::sort(const PencilGrid& grid, const Quanta& fixed_point, int lanes) {
         for (std::size_t k = 0; k < points.size(); ++k) raw.push_back(fixed_point.wide(points.place(k)));
         std::vector<std::int32_t> order;
         sort_by_pencil(grid, raw, order, part.start);
-        const std::vector<PlaceRecord> place(place_.begin() + static_cast<std::ptrdiff_t>(part.first),
+        const std::vector<PackedPlace> place(place_.begin() + static_cast<std::ptrdiff_t>(part.first),
                                              place_.begin() + static_cast<std::ptrdiff_t>(end_of(b)));
         for (std::size_t k = 0; k < order.size(); ++k) {
             const auto from = static_cast<std::size_t>(order[k]);
-            place_[part.first + k] = raw[from].record(place[from].volume);
+            place_[part.first + k] = raw[from].packed(place[from].volume);
         }
         points.reorder(order);
         make_clusters({&grid, place_.data() + part.first, &part.start, 0}, lanes, part.clusters);
@@ -154,7 +154,7 @@ void Walls::set_halo(const Comm& ranks, const Decomposition& pencils) {
     halo_ = Halo(ranks, pencils, dummies);
 }
 
-void Walls::prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Cluster>& clusters,
+void Walls::prune(const Passes& passes, const PackedPlace* particles, const std::vector<Cluster>& clusters,
                   double reach) {
     if (empty()) return;
     PruneData d;

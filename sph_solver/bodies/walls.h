@@ -23,11 +23,11 @@ public:
 
     bool empty() const { return place_.empty(); }
     std::size_t size() const { return place_.size(); }
-    const std::vector<PlaceRecord>& places() const { return place_; }
+    const std::vector<PackedPlace>& places() const { return place_; }
     std::vector<float>& pressures() { return p_; }
     const std::vector<float>& pressures() const { return p_; }
     /// Velocity of the dummies' surface along itself; empty: no body slides.
-    const std::vector<VelocityDensityRecord>& sliding() const { return sliding_; }
+    const std::vector<PackedVelocityDensity>& sliding() const { return sliding_; }
     /// Velocity and acceleration of the bodies at the dummies; null: all bodies are fixed.
     const WallVelocity* velocities() const { return velocity_.empty() ? nullptr : velocity_.data(); }
     const WallAcceleration* accelerations() const { return acceleration_.empty() ? nullptr : acceleration_.data(); }
@@ -79,7 +79,7 @@ public:
     void set_halo(const Comm& ranks, const Decomposition& pencils);
     const Halo& halo() const { return halo_; }
     /// Leaves in those lists who is within `reach` [fixed-point units] now.
-    void prune(const Passes& passes, const PlaceRecord* particles, const std::vector<Cluster>& clusters, double reach);
+    void prune(const Passes& passes, const PackedPlace* particles, const std::vector<Cluster>& clusters, double reach);
 
     using Nearest = NearestWall;
     /// The wall nearest to a place `x` within `reach` [m], where bodies are now, as it acts on water of velocity `u`.
@@ -104,9 +104,9 @@ private:
 
     const Bodies& bodies_;
     bool two_dimensional_, any_deformable_ = false, press_ = false;
-    std::vector<PlaceRecord> place_;  // body after body, each sorted by pencil
+    std::vector<PackedPlace> place_;  // body after body, each sorted by pencil
     std::vector<float> p_;
-    std::vector<VelocityDensityRecord> sliding_;
+    std::vector<PackedVelocityDensity> sliding_;
     // empty where all bodies are fixed; accelerations and points are there in a tank that moves, too
     std::vector<WallVelocity> velocity_;
     std::vector<WallAcceleration> acceleration_;

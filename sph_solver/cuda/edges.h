@@ -58,7 +58,7 @@ struct FastestOf {
 /// What a pair loop has found at sorted places.
 struct FoundAt {
     const int* order;  ///< which place stands at k
-    const VelocityDensityRecord* value;
+    const PackedVelocityDensity* value;
     const float *support, *mean_support;
     const float* compression;  ///< null: it was not asked for
 
@@ -240,9 +240,9 @@ struct StartGiving {
 struct SortAsked {
     const int* order;
     const WidePlace* wide;
-    PlaceRecord* place;
+    PackedPlace* place;
 
-    void operator()(std::size_t k) const { place[k] = wide[order[k]].record(0); }
+    void operator()(std::size_t k) const { place[k] = wide[order[k]].packed(0); }
 };
 /// Lets the k-th of sorted places' particles follow what was found there, and marks those that nobody has water for.
 template <class Follow>

@@ -4,15 +4,15 @@
 
 // Pair loops over clusters and their neighbours: pair loop(NAME, VIEW).
 #define TW_DEVICE_PAIR_LOOPS(pair_loop)             \
-    pair_loop(tw_prune,        PruneData)       \
+    pair_loop(tw_prune,            PruneData)          \
     pair_loop(tw_first_pair_loop,  FirstPairLoopData)  \
     pair_loop(tw_second_pair_loop, SecondPairLoopData) \
-    pair_loop(tw_extrapolate,  ExtrapolateData) \
-    pair_loop(tw_interpolate,  InterpolateData)
+    pair_loop(tw_extrapolate,      ExtrapolateData)    \
+    pair_loop(tw_interpolate,      InterpolateData)
 
 // One index by one thread: task(NAME, TASK).
 #define TW_DEVICE_TASKS(task)                                    \
-    task(tw_update_records,          UpdateRecords)              \
+    task(tw_pack_state,              PackState)                  \
     task(tw_refresh_images,          cuda::RefreshImagesAtRest)  \
     task(tw_refresh_images_in_frame, cuda::RefreshImagesInFrame) \
     task(tw_mark_surface,            cuda::MarkSurface)          \
@@ -29,11 +29,11 @@
     task(tw_count_images,            cuda::CountImages)          \
     task(tw_find_images,             cuda::FindImages)           \
     task(tw_reorder_links,           cuda::ReorderLinks)         \
-    task(tw_count_clusters,            cuda::CountClusters)          \
-    task(tw_make_clusters,             cuda::MakeClusters)           \
-    task(tw_centre_clusters,           cuda::CentreClusters)         \
+    task(tw_count_clusters,          cuda::CountClusters)        \
+    task(tw_make_clusters,           cuda::MakeClusters)         \
+    task(tw_centre_clusters,         cuda::CentreClusters)       \
     task(tw_count_wall_loads,        cuda::CountWallLoads)       \
-    task(tw_list_clusters_at_walls,    cuda::ListClustersAtWalls)    \
+    task(tw_list_clusters_at_walls,  cuda::ListClustersAtWalls)  \
     task(tw_take_near_walls,         cuda::TakeNearWalls)        \
     task(tw_no_walls,                cuda::NoWalls)              \
     task(tw_put_walls,               cuda::PutWalls)             \
@@ -46,7 +46,7 @@
     task(tw_put_giving,              cuda::PutGiving)            \
     task(tw_start_giving,            cuda::StartGiving)          \
     task(tw_sort_asked,              cuda::SortAsked)            \
-    task(tw_hand_to_buffers,          cuda::HandToBuffers)         \
+    task(tw_hand_to_buffers,         cuda::HandToBuffers)        \
     task(tw_hand_to_under,           cuda::HandToUnder)          \
     task(tw_hand_to_host,            cuda::HandToHost)           \
     task(tw_ask_coarse,              cuda::LabelCoarseAsked)     \
@@ -58,7 +58,7 @@
     task(tw_take_parents,            cuda::TakeParents)          \
     task(tw_mark_between,            cuda::MarkBetween)          \
     task(tw_take_located,            cuda::TakeLocated)          \
-    task(tw_add_daughters,            cuda::AddChildren)          \
+    task(tw_add_daughters,           cuda::AddChildren)          \
     task(tw_forget_edge,             cuda::ForgetEdge)           \
     task(tw_pack_message,            cuda::PackMessage)          \
     task(tw_unpack_message,          cuda::UnpackMessage)        \
@@ -67,13 +67,13 @@
     task(tw_mark_own,                cuda::MarkOwn)              \
     task(tw_start_marked,            cuda::StartMarked)          \
     task(tw_places_ahead,            cuda::PlacesAhead)          \
-    task(tw_work_of_clusters,          cuda::WorkOfClusters)
+    task(tw_work_of_clusters,        cuda::WorkOfClusters)
 
 // The same, of tasks that count: they are given an atomic `add_one(counter)`.
 #define TW_DEVICE_COUNTING_TASKS(task)                \
-    task(tw_count_kinds,   CountKinds)                \
-    task(tw_count_in_bins, cuda::CountInBins)         \
-    task(tw_label_coarse,  cuda::LabelCoarseKnown)    \
+    task(tw_count_kinds,   CountKinds)             \
+    task(tw_count_in_bins, cuda::CountInBins)      \
+    task(tw_label_coarse,  cuda::LabelCoarseKnown) \
     task(tw_label_fine,    cuda::LabelFineKnown)
 
 // Clusters by a condition: choose(NAME, CONDITION).

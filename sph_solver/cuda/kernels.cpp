@@ -117,9 +117,9 @@ TW_KERNEL tw_search(cuda::SearchNeighbours task, const Cluster* clusters, int co
     const int thread = device::thread();
     for (int n = first_cluster(); n < count; n = next_cluster(n)) {
         const ClusterReach& own = reach_of_warp(task.places, clusters[n], task.reaches);
-        const auto ask = [&](const PlaceRecord* first, const PlaceRecord*, int places, std::int64_t top) {
+        const auto ask = [&](const PackedPlace* first, const PackedPlace*, int places, std::int64_t top) {
             const bool there = thread < places;
-            const PlaceRecord p = first[there ? thread : 0];
+            const PackedPlace p = first[there ? thread : 0];
             // places are asked eight at a time, up to the first eight that begin above
             const std::uint32_t below = device::threads_where(there && difference(p.z, own.z) <= top);
             const bool asked = there && (below >> (thread & ~(lanes - 1)) & 1) != 0;
@@ -153,7 +153,7 @@ TW_KERNEL tw_peak_cache(cuda::PeakCache peak) {
     const int all = static_cast<int>(__nvvm_read_ptx_sreg_nctaid_x()) * cuda::threads_in_block;
     for (int r = 0; r < rounds; ++r)
         for (int k = static_cast<int>(device::index()); k < length; k += all) {
-            const PlaceRecord p = array[k];
+            const PackedPlace p = array[k];
             sum += p.x + p.y + p.z + static_cast<int>(p.volume);
         }
     if (sum == -12345) *result = 1;

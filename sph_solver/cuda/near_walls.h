@@ -6,7 +6,7 @@
 #include "sph_solver/cuda/sorting.h"
 #include "sph_solver/loops/nearest_wall.h"
 #include "sph_solver/loops/pressed.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw::cuda {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sph_solver/cuda/launch.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw::cuda {
 
@@ -28,11 +28,11 @@ Peaks measure_peaks(Device& device) {
     const double flops = 2.0 * 16 * arithmetic.rounds * double(threads) /
                          seconds_of([&] { launch_threads(device, threads, arithmetic); });
     constexpr int length = 1 << 20;  // 16 MB
-    Array<PlaceRecord> array(device);
+    Array<PackedPlace> array(device);
     array.resize(length);
     array.set_zero();
     const PeakCache cache{result.data(), array.data(), length, 100};
-    const double bytes = double(length) * sizeof(PlaceRecord) * cache.rounds /
+    const double bytes = double(length) * sizeof(PackedPlace) * cache.rounds /
                          seconds_of([&] { launch_threads(device, threads, cache); });
     return {flops, bytes};
 }

@@ -11,7 +11,7 @@ namespace tw::cuda {
 
 /// Sorted places in which neighbours are looked for.
 struct DeviceSource {
-    const PlaceRecord* places;
+    const PackedPlace* places;
     const int* start;  ///< first place of each pencil (times `stride`)
     int stride;
     std::int32_t offset;  ///< index of the first place in the pair loops' index space
@@ -45,7 +45,7 @@ struct WorkOfClusters {
 struct SearchNeighbours {
     Pencils pencils;            ///< of the sources
     Pencils of_clusters;        ///< the same, or others over the same box
-    const PlaceRecord* places;  ///< of the clusters
+    const PackedPlace* places;  ///< of the clusters
     const int* pencil;          ///< of each cluster
     Cluster* clusters;
     const DeviceSource* sources;
@@ -80,13 +80,13 @@ private:
     void search(const DeviceSource& source, const ClusterBox& box, std::int64_t cluster_z, const Ask& ask,
                 const Once& once, int first, int& found) const {
         const auto r = whole_above(reach);
-        const PlaceRecord* const all_end = source.places + source.first_of(pencils.count());
+        const PackedPlace* const all_end = source.places + source.first_of(pencils.count());
         const int x0 = pencils.pencil_x(box.lo[0] - r), x1 = pencils.pencil_x(box.hi[0] + r),
                   y0 = pencils.pencil_y(box.lo[1] - r), y1 = pencils.pencil_y(box.hi[1] + r),
                   z1 = pencils.slab(box.hi[2] + r);
         for (int cz = pencils.slab(box.lo[2] - r); cz <= z1; ++cz) {
             const std::int64_t middle = pencils.middle_of_slab(cz);
-            const auto height = [&](const PlaceRecord& p) {
+            const auto height = [&](const PackedPlace& p) {
                 return std::int64_t{difference(p.z, static_cast<std::int32_t>(middle))} + middle;
             };
             for (int cy = y0; cy <= y1; ++cy) {
@@ -97,8 +97,8 @@ private:
                     if (left2 < 0) continue;
                     const std::int64_t up = whole_above(std::sqrt(left2)), top = box.hi[2] + up;
                     const int c = pencils.pencil(cx, cy, cz);
-                    const PlaceRecord* p = source.places + source.first_of(c);
-                    const PlaceRecord* const end = source.places + source.first_of(c + 1);
+                    const PackedPlace* p = source.places + source.first_of(c);
+                    const PackedPlace* const end = source.places + source.first_of(c + 1);
                     for (std::int64_t left = end - p; left > 0;) {  // the first that is not below
                         const std::int64_t half = left / 2;
                         if (height(p[half]) < box.lo[2] - up)

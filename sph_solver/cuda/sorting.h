@@ -166,7 +166,7 @@ struct MakeClusters {
 struct ClusterBox {
     std::int64_t lo[3], hi[3];
 };
-inline ClusterBox box_of(const PlaceRecord* places, const Cluster& g, const WidePlace& from) {
+inline ClusterBox box_of(const PackedPlace* places, const Cluster& g, const WidePlace& from) {
     const auto in_full = [](std::int32_t x, std::int64_t near) {
         return near + difference(x, static_cast<std::int32_t>(near));
     };
@@ -176,7 +176,7 @@ inline ClusterBox box_of(const PlaceRecord* places, const Cluster& g, const Wide
         if (first || x > box.hi[a]) box.hi[a] = x;
     };
     for (int k = 0; k < g.size; ++k) {
-        const PlaceRecord& p = places[g.first + k];
+        const PackedPlace& p = places[g.first + k];
         widen(0, in_full(p.x, from.x), k == 0);
         widen(1, in_full(p.y, from.y), k == 0);
         widen(2, in_full(p.z, from.z), k == 0);
@@ -185,7 +185,7 @@ inline ClusterBox box_of(const PlaceRecord* places, const Cluster& g, const Wide
 }
 struct CentreClusters {
     Pencils pencils;
-    const PlaceRecord* places;
+    const PackedPlace* places;
     const int* pencil;
     Cluster* clusters;
 
@@ -221,7 +221,7 @@ struct PeakArithmetic {
 };
 struct PeakCache {
     float* result;
-    const PlaceRecord* array;
+    const PackedPlace* array;
     int length, rounds;
 };
 

@@ -10,7 +10,7 @@
 #include "sph_solver/ghosts/laws.h"
 #include "sph_solver/loops/after_first_pair_loop.h"
 #include "sph_solver/loops/move.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 #include "sph_solver/loops/surface.h"
 #include "sph_solver/loops/wall_motion.h"
 #include "sph_solver/pair_loops/clusters.h"
@@ -26,9 +26,9 @@ struct RefreshImages {
     double quantum;  ///< [m]
     Hydrostatic still;
     Force force;
-    PlaceRecord* place;
-    VelocityDensityRecord* motion;
-    GradientPressureRecord* stress;  ///< null: not now
+    PackedPlace* place;
+    PackedVelocityDensity* motion;
+    PackedGradientPressure* stress;  ///< null: not now
 
     void operator()(std::size_t k) const {
         const auto i = static_cast<std::size_t>(links[k].index);
@@ -42,8 +42,8 @@ struct RefreshImages {
 };
 
 template <class Force>
-RefreshImages(const Link*, const LinkMap*, std::size_t, double, Hydrostatic, Force, PlaceRecord*,
-              VelocityDensityRecord*, GradientPressureRecord*) -> RefreshImages<Force>;
+RefreshImages(const Link*, const LinkMap*, std::size_t, double, Hydrostatic, Force, PackedPlace*,
+              PackedVelocityDensity*, PackedGradientPressure*) -> RefreshImages<Force>;
 using RefreshImagesAtRest = RefreshImages<SameForce>;
 using RefreshImagesInFrame = RefreshImages<ForceHalfway>;
 
@@ -88,7 +88,7 @@ using CompressByState = Compress<PressureOfState>;
 /// not count for the extremes.
 struct MoveAll {
     Move move;
-    WallNormalRecord* wall;  ///< null: there are none
+    PackedWallNormal* wall;  ///< null: there are none
     NearWalls walls;
     double held_from;  ///< nearer than this to a wall a particle is held [m]
     std::int32_t* too_near;
@@ -100,7 +100,7 @@ struct MoveAll {
         const V3<double> along = move.along(i);
         move.drift_along(i, along, shift);
         if (wall && kept_out_of_solids(move.kind[i])) {
-            WallNormalRecord& r = wall[i];
+            PackedWallNormal& r = wall[i];
             const double leaving = walls.leaving(i, {move.p.x[i], move.p.y[i], move.p.z[i]}, along);
             r.distance += static_cast<float>(move.drift * leaving + dot(shift, normal_of(r)));
             if (static_cast<double>(r.distance) < held_from) {

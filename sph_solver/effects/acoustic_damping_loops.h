@@ -3,14 +3,14 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/loops/surface.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
 /// Adds the pressure p_v of acoustic_damping.h, but not at the free surface.
 struct DampSound {
-    GradientPressureRecord* stress;
-    const RateRecord* rate;
+    PackedGradientPressure* stress;
+    const PackedRate* rate;
     const Kind* kind;
     const std::uint32_t* surface;
     float factor;  ///< alpha2 c0 h [m2/s]

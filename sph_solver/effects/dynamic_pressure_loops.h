@@ -3,7 +3,7 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/rest_pressure.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 
 namespace tw {
 
@@ -11,8 +11,8 @@ namespace tw {
 struct WeighUnderSurface {
     StateView p;
     const Kind* kind;
-    const ShiftSupportRecord* shift;
-    RateRecord* rate;
+    const PackedShiftSupport* shift;
+    PackedRate* rate;
     RestPressure at_rest;
     double rho0;             ///< [kg/m3]
     double surface_support;  ///< of LevelSetup

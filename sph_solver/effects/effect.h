@@ -10,7 +10,7 @@
 #include "sph_solver/effects/kernel_list.h"
 #include "sph_solver/fields/particles.h"
 #include "sph_solver/ghosts/laws.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 #include "sph_solver/pair_loops/own_sums.h"
 #include "sph_solver/pair_loops/passes.h"
 #include "sph_solver/pair_loops/views.h"
@@ -41,11 +41,11 @@ struct StepView {
     StateView p;            ///< to be read
     const Kind* kind;
     FieldsView fields;  ///< all quantities of the particles (fields/field_list.h); null: they have none
-    const ShiftSupportRecord* shift;
+    const PackedShiftSupport* shift;
     WaterView water;
     WallView dummies;                ///< of the walls; no place: there are none
-    GradientPressureRecord* stress;  ///< may be changed before the forces
-    RateRecord* rate;                ///< may be changed after them
+    PackedGradientPressure* stress;  ///< may be changed before the forces
+    PackedRate* rate;                ///< may be changed after them
     const Passes& passes;
     std::span<const Cluster> clusters;
     /// Dummies in clusters, with lists of the water near them.
@@ -56,7 +56,7 @@ struct StepView {
     };
     std::vector<DummiesOfBody> bodies;
     std::size_t dummy_count;
-    const VelocityDensityRecord* sliding;  ///< of the dummies' surfaces along themselves; null: none slides
+    const PackedVelocityDensity* sliding;  ///< of the dummies' surfaces along themselves; null: none slides
     std::size_t wall_load_count;           ///< see SecondPairLoopData::wall_load
     const Link* links;
     const LinkMap* maps;

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "sph_solver/domain/kind.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 #include "waves/wave_components.h"
 
 namespace tw {
@@ -20,7 +20,7 @@ struct ForceInZones {
 
     StateView p;
     const Kind* kind;
-    RateRecord* rate;
+    PackedRate* rate;
     Zone zones[most];
     int count;
     double stream;       ///< [m/s]
@@ -38,20 +38,20 @@ struct ForceInZones {
             if (s > 0 && z.gamma * s * s > by) by = z.gamma * s * s, share = z.share;
         }
         if (by == 0) return;
-        RateRecord& r = rate[i];
+        PackedRate& r = rate[i];
         r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - share * stream));
         r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));
         r.az -= static_cast<float>(by * static_cast<double>(p.w[i]));
     }
 };
 
-/// The same where some of the zones draw the water to a wave, the others to the stream or to rest. `Wave`: a regular one, or a sum of
-/// linear ones at that time.
+/// The same where some of the zones draw the water to a wave, the others to the stream or to rest. `Wave`: a regular
+/// one, or a sum of linear ones at that time.
 template <class Wave>
 struct ForceTowards {
     StateView p;
     const Kind* kind;
-    RateRecord* rate;
+    PackedRate* rate;
     ForceInZones::Zone zones[ForceInZones::most];
     bool makes_wave[ForceInZones::most];
     int count;
@@ -71,7 +71,7 @@ struct ForceTowards {
         if (by == 0) return;
         double u = stream, w = 0;
         if (to_wave) velocity(wave, p.x[i], p.z[i], u, w);
-        RateRecord& r = rate[i];
+        PackedRate& r = rate[i];
         r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - u));
         r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));
         r.az -= static_cast<float>(by * (static_cast<double>(p.w[i]) - w));

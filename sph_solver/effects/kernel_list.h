@@ -1,6 +1,8 @@
 #pragma once
 // What a device does for effects: their loops and pair loops as kernels, a line each. Bodies and views stand beside the
-// effects. clang-format off
+// effects.
+
+// clang-format off
 
 // Pair loops over clusters and their neighbours: pair loop(NAME, VIEW).
 #define TW_EFFECT_PAIR_LOOPS(pair_loop)                                                             \

@@ -14,11 +14,11 @@ public:
     explicit ContinuumForce(const SurfaceTension& options) : sigma_(options.sigma) {}
 
     void add_rates(const StepView& step) override {
-        const OwnSums<VelocityDensityRecord> gradient = step.sums(normal_, step.n + step.images);
+        const OwnSums<PackedVelocityDensity> gradient = step.sums(normal_, step.n + step.images);
         const OwnSums<float> curvature = step.sums(curvature_, step.n);
         float* const length = length_.resize(step.device, step.n);
         step.pairs(ColourGradientData{step.water, step.dummies, gradient});
-        VelocityDensityRecord* const normal = step.exchange(gradient);
+        PackedVelocityDensity* const normal = step.exchange(gradient);
         step.each(step.n, NormalOfSurface{normal, length, step.h});
         step.refresh<Law::vector>(normal);
         step.pairs(CurvatureData{step.water, normal, curvature});
@@ -33,7 +33,7 @@ public:
 
 private:
     double sigma_;
-    LoopArray<VelocityDensityRecord> normal_;
+    LoopArray<PackedVelocityDensity> normal_;
     LoopArray<float> curvature_, length_;
 };
 

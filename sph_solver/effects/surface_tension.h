@@ -23,12 +23,12 @@ std::unique_ptr<Effect> make_effect(const SurfaceTension& options);
 struct ColourGradientData {
     WaterView water{};
     WallView walls{};
-    OwnSums<VelocityDensityRecord> gradient{};
+    OwnSums<PackedVelocityDensity> gradient{};
 };
 /// -div n of each particle [1/m].
 struct CurvatureData {
     WaterView water{};
-    const VelocityDensityRecord* normal = nullptr;  ///< unit vector, of images too; drho = 1 where it counts, else 0
+    const PackedVelocityDensity* normal = nullptr;  ///< unit vector, of images too; drho = 1 where it counts, else 0
     OwnSums<float> curvature{};
 };
 

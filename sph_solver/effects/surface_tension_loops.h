@@ -3,18 +3,18 @@
 #include <cstddef>
 
 #include "sph_solver/equations/surface_tension.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
 /// grad C becomes the normal, and its length is noted.
 struct NormalOfSurface {
-    VelocityDensityRecord* normal;
+    PackedVelocityDensity* normal;
     float* length;  ///< |grad C| [1/m]
     double h;
 
     void operator()(std::size_t i) const {
-        VelocityDensityRecord& r = normal[i];
+        PackedVelocityDensity& r = normal[i];
         length[i] = std::sqrt(r.u * r.u + r.v * r.v + r.w * r.w);
         const bool counts = static_cast<double>(length[i]) * h > smallest_colour_gradient;
         const float inv = counts ? 1 / length[i] : 0;
@@ -25,14 +25,14 @@ struct NormalOfSurface {
 /// Adds the surface's force to the rates.
 struct PullAtSurface {
     SurfaceForce force;
-    const PlaceRecord* place;
-    const VelocityDensityRecord* normal;
+    const PackedPlace* place;
+    const PackedVelocityDensity* normal;
     const float *curvature, *length;
-    RateRecord* rate;
+    PackedRate* rate;
 
     void operator()(std::size_t i) const {
         const float f = force.along_normal(place[i].volume, curvature[i], length[i]);
-        RateRecord& r = rate[i];
+        PackedRate& r = rate[i];
         r.ax += f * normal[i].u;
         r.ay += f * normal[i].v;
         r.az += f * normal[i].w;

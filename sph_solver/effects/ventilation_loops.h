@@ -11,7 +11,7 @@ namespace tw {
 /// Whether air is at a particle, see ventilation.h; after the marks at the free surface.
 struct AirAtParticles {
     Aired* aired;
-    const WallNormalRecord* wall;  ///< null: there are no walls
+    const PackedWallNormal* wall;  ///< null: there are no walls
     const float* drho;
     const std::uint32_t* surface;
     float reach;  ///< [m]

@@ -19,7 +19,7 @@ public:
         largest_ = o_.kinematic;
         WaterView water = step.water;
         if (o_.no_slip && step.around.mirrors.any_holds()) {  // images of the tank's walls move against the water
-            VelocityDensityRecord* const motion = motion_.resize(step.device, all);
+            PackedVelocityDensity* const motion = motion_.resize(step.device, all);
             step.each(n, CopyMotion{water.motion, motion});
             step.refresh<Law::held>(motion);
             water.motion = motion;
@@ -70,15 +70,15 @@ private:
         largest_ += step.ranks.largest(step.largest(step.n, add));
     }
 
-    const VelocityDensityRecord* find_wall_velocity(const StepView& step) {
-        const OwnSums<VelocityDensityRecord> sums = step.zero_sums(wall_velocity_, step.dummy_count);
+    const PackedVelocityDensity* find_wall_velocity(const StepView& step) {
+        const OwnSums<PackedVelocityDensity> sums = step.zero_sums(wall_velocity_, step.dummy_count);
         for (const StepView::DummiesOfBody& body : step.bodies)
             step.pairs(WaterVelocityData{.water = step.water,
                                          .list = body.water,
                                          .at = step.dummies.place + body.first,
                                          .velocity = sums.from(body.first)},
                        body.clusters);
-        VelocityDensityRecord* const velocity = step.exchange_at_dummies(sums);
+        PackedVelocityDensity* const velocity = step.exchange_at_dummies(sums);
         step.each(step.dummy_count, HoldAtWalls{velocity, step.sliding, step.dummies.velocity});
         return velocity;
     }
@@ -86,7 +86,7 @@ private:
     Viscosity o_;
     double largest_ = 0;  ///< largest kinematic viscosity of the last step [m2/s]
     LoopArray<float> mu_, strain_;
-    LoopArray<VelocityDensityRecord> wall_velocity_, motion_;
+    LoopArray<PackedVelocityDensity> wall_velocity_, motion_;
     LoopArray<WallLoad> wall_load_;
 };
 

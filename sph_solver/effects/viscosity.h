@@ -29,16 +29,16 @@ std::unique_ptr<Effect> make_effect(const Viscosity& options);
 struct WaterVelocityData {
     WaterView water{};
     Lists list{};  ///< of the points
-    const PlaceRecord* at = nullptr;
-    OwnSums<VelocityDensityRecord> velocity{};
+    const PackedPlace* at = nullptr;
+    OwnSums<PackedVelocityDensity> velocity{};
 };
 /// See equations/viscosity.h; adds to `rate`.
 struct ViscousForceData {
     WaterView water{};
     WallView walls{};
     const float* mu = nullptr;                             ///< of particles and images [Pa s]
-    const VelocityDensityRecord* wall_velocity = nullptr;  ///< of the dummies; null: slip
-    RateRecord* rate = nullptr;
+    const PackedVelocityDensity* wall_velocity = nullptr;  ///< of the dummies; null: slip
+    PackedRate* rate = nullptr;
     WallLoad* wall_load = nullptr;
 };
 /// |S| of each particle [1/s], see equations/smagorinsky.h.

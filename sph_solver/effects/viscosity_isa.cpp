@@ -61,7 +61,7 @@ struct Friction {
     }
     void store(const Own& i) const {
         i.for_each([&](int own, int l) {
-            RateRecord& r = d.rate[own];
+            PackedRate& r = d.rate[own];
             r.ax += inner.x[l] * inv_rho[l] + a_wall.x[l];
             r.ay += inner.y[l] * inv_rho[l] + a_wall.y[l];
             r.az += inner.z[l] * inv_rho[l] + a_wall.z[l];

@@ -5,7 +5,7 @@
 
 #include "sph_solver/equations/smagorinsky.h"
 #include "sph_solver/equations/viscosity.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 
 namespace tw {
 
@@ -18,8 +18,8 @@ struct SetViscosity {
 
 /// For images that move against the water.
 struct CopyMotion {
-    const VelocityDensityRecord* from;
-    VelocityDensityRecord* to;
+    const PackedVelocityDensity* from;
+    PackedVelocityDensity* to;
 
     void operator()(std::size_t i) const { to[i] = from[i]; }
 };
@@ -28,7 +28,7 @@ struct CopyMotion {
 struct AddEddies {
     StateView p;
     const float* strain;           ///< |S| [1/s]
-    const WallNormalRecord* wall;  ///< null: no body holds the water
+    const PackedWallNormal* wall;  ///< null: no body holds the water
     double low[3], high[3];        ///< of the tank [m]
     bool holds[3][2];              ///< its walls that hold the water, as Mirrors::holding
     double filter;                 ///< Cs dp [m]
@@ -59,13 +59,13 @@ private:
 
 /// The water's velocity at the dummies becomes that of dummies that hold it, see no_slip_velocity().
 struct HoldAtWalls {
-    VelocityDensityRecord* velocity;
-    const VelocityDensityRecord* sliding;  ///< null: no surface slides
+    PackedVelocityDensity* velocity;
+    const PackedVelocityDensity* sliding;  ///< null: no surface slides
     const WallVelocity* moving;            ///< null: all bodies are at rest
 
     void operator()(std::size_t k) const {
-        VelocityDensityRecord& m = velocity[k];
-        VelocityDensityRecord wall{0, 0, 0, 0};
+        PackedVelocityDensity& m = velocity[k];
+        PackedVelocityDensity wall{0, 0, 0, 0};
         if (sliding) wall = sliding[k];
         if (moving) wall.u += moving[k].u, wall.v += moving[k].v, wall.w += moving[k].w;
         const V3<float> u_d = no_slip_velocity(V3<float>{wall.u, wall.v, wall.w}, V3<float>{m.u, m.v, m.w});

@@ -6,7 +6,7 @@
 #include "sph_solver/fields/kept.h"
 #include "sph_solver/fields/law.h"
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 // The quantities of a particle: its state, and what the pair loops read and write of it. Positions in double precision;
 // density as the deviation from rho0, so that single precision loses nothing. A further quantity is one more line: host
@@ -14,7 +14,9 @@
 // prediction of memory from here.
 //
 // field(TYPE, NAME, LAW, KEPT, WITH): how an image has it (law.h), how long it stays with its particle, and which
-// levels have it (kept.h). The first one is one that every particle has. clang-format off
+// levels have it (kept.h). The first one is one that every particle has.
+
+// clang-format off
 #define TW_PARTICLE_FIELDS(field)                                                                                       \
     field(double,                 x,                 unseen,      saved,  water) /* [m] */                              \
     field(double,                 y,                 unseen,      saved,  water)                                        \
@@ -30,13 +32,13 @@
     field(Daughters,              daughters,         unseen,      saved,  finer)                                        \
     field(float,                  compression,       unseen,      saved,  finer) /* of the overlap [kg/m3/s] */         \
     field(EdgeDistance,           from_finer_edge,   unseen,      moved,  finer)                                        \
-    field(PlaceRecord,            place,             place,       sorted, water)                                        \
-    field(VelocityDensityRecord,  velocity_density,  hydrostatic, sorted, water)                                        \
-    field(GradientPressureRecord, gradient_pressure, hydrostatic, sorted, water)                                        \
-    field(ShiftSupportRecord,     shift_support,     unseen,      sorted, water)                                        \
-    field(RateRecord,             rate,              unseen,      sorted, water)                                        \
-    field(WallNormalRecord,       wall_normal,       unseen,      sorted, walls) /* the nearest wall */                 \
-    field(LeavingRecord,          wall_leaving,      unseen,      sorted, walls) /* the way off its edges */            \
+    field(PackedPlace,            place,             place,       sorted, water)                                        \
+    field(PackedVelocityDensity,  velocity_density,  hydrostatic, sorted, water)                                        \
+    field(PackedGradientPressure, gradient_pressure, hydrostatic, sorted, water)                                        \
+    field(PackedShiftSupport,     shift_support,     unseen,      sorted, water)                                        \
+    field(PackedRate,             rate,              unseen,      sorted, water)                                        \
+    field(PackedWallNormal,       wall_normal,       unseen,      sorted, walls) /* the nearest wall */                 \
+    field(PackedLeaving,          wall_leaving,      unseen,      sorted, walls) /* the way off its edges */            \
     field(std::uint16_t,          wall_body,         unseen,      sorted, moving_bodies) /* whose wall it is */         \
     field(std::int32_t,           wall_triangle,     unseen,      sorted, elastic_bodies) /* on which triangle of it */ \
     field(CarriedShare,           carried,           tensor,      sorted, control_volume)                               \

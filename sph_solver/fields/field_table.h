@@ -15,7 +15,7 @@ namespace tw {
 /// What a table can do with a field whatever its elements are.
 class AnyField {
 public:
-    enum class Element : std::uint8_t { float64, float32, int64, uint8, record };
+    enum class Element : std::uint8_t { float64, float32, int64, uint8, packed };
 
     AnyField() = default;
     AnyField(const char* name, Law law, Kept kept, With with, Element element)
@@ -50,7 +50,7 @@ private:
     Law law_ = Law::unseen;
     Kept kept_ = Kept::sorted;
     With with_ = With::water;
-    Element element_ = Element::record;
+    Element element_ = Element::packed;
 };
 
 /// The particles' quantities as a list: what is done with all of them goes through here. A quantity is one line, a
@@ -205,7 +205,7 @@ private:
         if (std::is_same_v<T, double>) return Element::float64;
         if (std::is_same_v<T, float>) return Element::float32;
         if (std::is_same_v<T, std::int64_t>) return Element::int64;
-        return sizeof(T) == 1 && (std::is_enum_v<T> || std::is_integral_v<T>) ? Element::uint8 : Element::record;
+        return sizeof(T) == 1 && (std::is_enum_v<T> || std::is_integral_v<T>) ? Element::uint8 : Element::packed;
     }
 };
 

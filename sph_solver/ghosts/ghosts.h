@@ -62,7 +62,7 @@ void Ghosts::refresh(Particles& p, double t, Fields&... fields) const {
         for_particles(links_.size(), [&](std::size_t k) {
             const auto i = static_cast<std::size_t>(links_[k].index);
             const LinkMap& map = maps_[links_[k]];
-            const PlaceRecord &from = p.place[i], &to = p.place[n + k] = seen_place(from, map);
+            const PackedPlace &from = p.place[i], &to = p.place[n + k] = seen_place(from, map);
             const V3<double> step = step_to_image(from, to, map, fixed_point_.size);
             const HydrostaticLine line = still_.line(force(i, step), step);
             const auto see = [&](auto& field) {

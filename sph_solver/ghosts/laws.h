@@ -3,7 +3,7 @@
 #include "sph_solver/fields/law.h"
 #include "sph_solver/loops/force_of_frame.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 
 namespace tw {
 
@@ -54,16 +54,16 @@ inline float seen<Law::scalar>(const float& s, const LinkMap&) {
     return s;
 }
 template <>
-inline VelocityDensityRecord seen<Law::vector>(const VelocityDensityRecord& r, const LinkMap& map) {
+inline PackedVelocityDensity seen<Law::vector>(const PackedVelocityDensity& r, const LinkMap& map) {
     return {map.sign[0] * r.u, map.sign[1] * r.v, map.sign[2] * r.w, r.drho};
 }
 /// At rest on the plane, u_image = -u (the walls at rest of no_slip_velocity() in equations/viscosity.h).
 template <>
-inline VelocityDensityRecord seen<Law::held>(const VelocityDensityRecord& r, const LinkMap& map) {
+inline PackedVelocityDensity seen<Law::held>(const PackedVelocityDensity& r, const LinkMap& map) {
     return {map.held[0] * r.u, map.held[1] * r.v, map.held[2] * r.w, r.drho};
 }
 template <>
-inline GradientPressureRecord seen<Law::vector>(const GradientPressureRecord& r, const LinkMap& map) {
+inline PackedGradientPressure seen<Law::vector>(const PackedGradientPressure& r, const LinkMap& map) {
     return {map.sign[0] * r.gx, map.sign[1] * r.gy, map.sign[2] * r.gz, r.p};
 }
 template <>
@@ -71,23 +71,23 @@ inline CarriedShare seen<Law::tensor>(const CarriedShare& m, const LinkMap& map)
     const float x = map.sign[0], y = map.sign[1], z = map.sign[2];
     return {m.xx, x * y * m.xy, x * z * m.xz, m.yy, y * z * m.yz, m.zz};
 }
-inline PlaceRecord seen_place(const PlaceRecord& p, const LinkMap& map) {
-    return map.place(WidePlace{p.x, p.y, p.z}).record(p.volume);
+inline PackedPlace seen_place(const PackedPlace& p, const LinkMap& map) {
+    return map.place(WidePlace{p.x, p.y, p.z}).packed(p.volume);
 }
 /// From a source to its image, but for the way that a periodic flow repeats after [m].
-inline V3<double> step_to_image(const PlaceRecord& from, const PlaceRecord& to, const LinkMap& map, double quantum) {
+inline V3<double> step_to_image(const PackedPlace& from, const PackedPlace& to, const LinkMap& map, double quantum) {
     const auto along = [&](std::int32_t a, std::int32_t b, bool repeats) {
         return repeats ? 0 : quantum * difference(b, a);
     };
     return {along(from.x, to.x, map.repeats[0]), along(from.y, to.y, map.repeats[1]),
             along(from.z, to.z, map.repeats[2])};
 }
-inline VelocityDensityRecord seen_on(const HydrostaticLine& line, const VelocityDensityRecord& of, const LinkMap& map) {
-    VelocityDensityRecord r = seen<Law::vector>(of, map);
+inline PackedVelocityDensity seen_on(const HydrostaticLine& line, const PackedVelocityDensity& of, const LinkMap& map) {
+    PackedVelocityDensity r = seen<Law::vector>(of, map);
     r.drho += static_cast<float>(line.deviation);
     return r;
 }
-inline GradientPressureRecord seen_on(const HydrostaticLine& line, GradientPressureRecord r, const LinkMap& map) {
+inline PackedGradientPressure seen_on(const HydrostaticLine& line, PackedGradientPressure r, const LinkMap& map) {
     r.gx -= line.gradient.x, r.gy -= line.gradient.y, r.gz -= line.gradient.z;
     r = seen<Law::vector>(r, map);
     r.gx += line.gradient.x, r.gy += line.gradient.y, r.gz += line.gradient.z;
@@ -108,7 +108,7 @@ struct SeeValues {
     }
 };
 using SeeScalars = SeeValues<Law::scalar, float>;
-using SeeVectors = SeeValues<Law::vector, VelocityDensityRecord>;
-using SeeHeld = SeeValues<Law::held, VelocityDensityRecord>;
+using SeeVectors = SeeValues<Law::vector, PackedVelocityDensity>;
+using SeeHeld = SeeValues<Law::held, PackedVelocityDensity>;
 
 }  // namespace tw

@@ -57,9 +57,9 @@ struct LevelOnDevice::Arrays {
     ClustersOnDevice clusters{device};
     ListsOnDevice lists{device}, wall_lists{device};
 
-    cuda::Array<PlaceRecord> wall_place{device};
+    cuda::Array<PackedPlace> wall_place{device};
     cuda::Array<float> wall_p{device};
-    cuda::Array<VelocityDensityRecord> sliding{device};  ///< empty: no surface slides, or no effect asks
+    cuda::Array<PackedVelocityDensity> sliding{device};  ///< empty: no surface slides, or no effect asks
     cuda::Array<WallVelocity> wall_velocity{device};
     cuda::Array<WallAcceleration> wall_acceleration{device};
     cuda::Array<WallMotion> motions{device};
@@ -100,8 +100,8 @@ struct LevelOnDevice::Arrays {
 
     // what other levels ask for
     RunningSum gives{device};
-    cuda::Array<PlaceRecord> giving_place{device};
-    cuda::Array<VelocityDensityRecord> giving_motion{device};
+    cuda::Array<PackedPlace> giving_place{device};
+    cuda::Array<PackedVelocityDensity> giving_motion{device};
     cuda::Array<float> giving_support{device}, giving_rate{device};
     cuda::Array<int> giving_start{device}, giving_images{device};
     /// The places where they ask, in order, and what is found there.
@@ -109,8 +109,8 @@ struct LevelOnDevice::Arrays {
         SortedOnDevice order;
         ClustersOnDevice clusters;
         ListsOnDevice lists;
-        cuda::Array<PlaceRecord> place;
-        cuda::Array<VelocityDensityRecord> value;
+        cuda::Array<PackedPlace> place;
+        cuda::Array<PackedVelocityDensity> value;
         cuda::Array<float> support, mean_support, compression;
         Asked(cuda::Device& d, const cuda::Bins& bins)
             : order(d, bins), clusters(d), lists(d), place(d), value(d), support(d), mean_support(d), compression(d) {}
@@ -123,7 +123,7 @@ struct LevelOnDevice::Arrays {
     // what other ranks have answered
     cuda::Array<V3<double>> places_ahead{device};
     cuda::Array<int> found_order{device};
-    cuda::Array<VelocityDensityRecord> found_value{device};
+    cuda::Array<PackedVelocityDensity> found_value{device};
     cuda::Array<float> found_support{device}, found_mean{device}, found_compression{device};
     cuda::Array<Given> given{device};
     cuda::Array<int> at_edge{device};

@@ -9,7 +9,7 @@ namespace tw {
 /// Places that are none of a level's particles, and what it is there, see Level::interpolate.
 struct FieldsAt : Asking {
     std::vector<Vec3> places{};
-    std::vector<VelocityDensityRecord> value{};
+    std::vector<PackedVelocityDensity> value{};
     std::vector<float> support{};       ///< sum_j V_j W_j of those particles [-]
     std::vector<float> mean_support{};  ///< of the particles near, each with its own surroundings [-]
     std::vector<float> compression{};   ///< rate of the density at the last evaluation [kg/m3/s]; empty unless wanted

@@ -9,7 +9,7 @@ namespace tw {
 void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     cuda::Device& d = *device_;
     const std::size_t n = points.places.size();
-    cuda::Array<PlaceRecord> places(d);
+    cuda::Array<PackedPlace> places(d);
     cuda::Array<Cluster> clusters(d);
     cuda::Array<int> pencil(d);
     cuda::Array<float> p(d), support(d);
@@ -53,7 +53,7 @@ std::vector<cuda::DeviceSource> LevelOnDevice::note_giving(const Asking& asking)
 }
 
 cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Asking& asking) {
-    update_records();
+    pack_state();
     Arrays& on = *on_;
     const PencilGrid grid = level_.grid.scaled(asking.apart);
     const double quantum = level_.fixed_point.size;
@@ -124,7 +124,7 @@ void LevelOnDevice::interpolate(FieldsAt& at) {
 
 void LevelOnDevice::interpolate_here(FieldsAt& at) {
     at.resize();
-    if (at.places.empty()) return update_records();  // as the other ranks do
+    if (at.places.empty()) return pack_state();  // as the other ranks do
     Arrays& on = *on_;
     std::vector<WidePlace> wide;
     for (const Vec3& x : at.places) wide.push_back(level_.fixed_point.wide(x));

@@ -59,11 +59,11 @@ void LevelOnProcessor::interpolate(FieldsAt& at) {
     at.resize();
     if (share_.ranks().many())
         return share_.interpolate_together(at, [&](FieldsAt& here) {
-            update_records();
+            pack_state();
             interpolate_here(here);
         });
     if (at.places.empty()) return;
-    update_records();
+    pack_state();
     interpolate_here(at);
 }
 
@@ -78,8 +78,8 @@ void LevelOnProcessor::interpolate_here(FieldsAt& at) {
         within_reach(sorted, level_.grid, (reaches.far + reaches.stale) / level_.fixed_point.size);
     TakeGiving giving = level_.giving(level_.particles.view(), level_.ghosts.links().data(), own, at);
     // of those that count and may be asked for, in the order of the level's particles and then of their images
-    std::vector<PlaceRecord> place;
-    std::vector<VelocityDensityRecord> motion;
+    std::vector<PackedPlace> place;
+    std::vector<PackedVelocityDensity> motion;
     std::vector<float> known_support, rate;
     const auto take = [&](const std::vector<std::int32_t>& all_start, std::size_t offset) {
         const std::size_t pencils = all_start.size() - 1, before = place.size();

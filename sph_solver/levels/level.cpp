@@ -91,7 +91,7 @@ void Level::refresh(double drift) {
     system_.walls.follow(system_.fixed_point);
     {
         const Stopwatch watch(timers_.update);
-        steps_->update_records();
+        steps_->pack_state();
     }
     const Stopwatch watch(timers_.pruning);
     steps_->prune(drift);

@@ -23,7 +23,7 @@ struct Timers {
     double gradient = 0, forces = 0;  ///< the two pair loops
     double walls = 0;                 ///< places and pressures of dummies
     double effects = 0;
-    double update = 0;   ///< records, images, density and pressure
+    double update = 0;   ///< packed arrays, images, density and pressure
     double advance = 0;  ///< the end of a step
     std::int64_t evaluations = 0, rebuilds = 0;
 
@@ -36,7 +36,7 @@ struct Timers {
 ///
 /// An evaluation of the rates takes two loops over the pairs, in this order (schedule.h says for how long what moves):
 ///
-///   refresh           records of the particles and their images; lists, where they are due
+///   refresh           packed arrays of the particles and their images; lists, where they are due
 ///   first_pair_loop   at (x, u): div u, density gradient, kernel support;   rho -= compress rho div u;   x += drift u
 ///                     p = p(rho); effects change it
 ///   second_pair_loop  wall pressure; acceleration a, density diffusion D; effects add to them
@@ -97,7 +97,7 @@ public:
     double pressure(std::size_t i) const;
     /// Kernel support of a particle at the last evaluation [-].
     double support(std::size_t i) const { return double(home().shift_support[i].support); }
-    bool has_records() const { return !system_.particles.gradient_pressure.empty(); }
+    bool has_packed_arrays() const { return !system_.particles.gradient_pressure.empty(); }
     double visited_per_particle() const;  ///< pairs that a pair loop works through, useful or not
     double bytes() const;                 ///< memory of state, lists and walls, on a device too
     double bytes_on_device() const { return steps_->bytes_on_device(); }
@@ -194,7 +194,8 @@ public:
     StepView step_view(double t) { return steps_->step_view(t); }
     FirstPairLoopData first_pair_loop_data() { return system_.first_pair_loop_data(); }
     SecondPairLoopData second_pair_loop_data(double t) { return system_.second_pair_loop_data(t); }
-    /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present records.
+    /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present packed
+    /// arrays.
     void sample(PointSamples& points) const;
     /// Velocity and density of the particles at places near them, as they are between two pair loops. The lists must
     /// not be due. Of several ranks all call it, each with places of its own.

@@ -95,7 +95,7 @@ Move Level::move_on(const Schedule::Move& move) {
 /// distance carried along is checked against the surface first.
 std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
     Particles& p = system_.particles;
-    WallNormalRecord& r = system_.particles.wall_normal[i];
+    PackedWallNormal& r = system_.particles.wall_normal[i];
     const Walls::Nearest found =
         system_.walls.nearest(Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]), system_.setup.dp);
     if (found.normal.distance < no_wall.distance) {

@@ -43,7 +43,7 @@ std::size_t SortedOnDevice::sort(const WidePlace* wide, const std::uint8_t* left
     return static_cast<std::size_t>(all);
 }
 
-void ClustersOnDevice::make(const Pencils& pencils, const SortedOnDevice& order, const PlaceRecord* places,
+void ClustersOnDevice::make(const Pencils& pencils, const SortedOnDevice& order, const PackedPlace* places,
                             const char* wanted) {
     const auto n = static_cast<std::size_t>(pencils.count());
     cuda::launch(device_, cuda::CountClusters{order.start(), order.in_pencil(), wanted, before_.of(n)}, n);
@@ -56,7 +56,7 @@ void ClustersOnDevice::make(const Pencils& pencils, const SortedOnDevice& order,
     cuda::launch(device_, cuda::CentreClusters{pencils, places, pencil_.data(), clusters_.data()}, count);
 }
 
-void ListsOnDevice::build(const Pencils& pencils, const Pencils& of_clusters, const PlaceRecord* places,
+void ListsOnDevice::build(const Pencils& pencils, const Pencils& of_clusters, const PackedPlace* places,
                           const cuda::Array<int>& pencil, cuda::Array<Cluster>& clusters,
                           const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
                           ListRef Cluster::*list) {

@@ -43,7 +43,7 @@ public:
     const int* order() const { return order_.data(); }  ///< k-th in order
     const int* start() const { return start_.before(); }
     int in_pencil() const { return bins_.in_pencil; }
-    cuda::DeviceSource source(const PlaceRecord* places, std::int32_t offset) const {
+    cuda::DeviceSource source(const PackedPlace* places, std::int32_t offset) const {
         return {places, start(), in_pencil(), offset};
     }
     void give_start(std::vector<std::int32_t>& of_pencils) const {
@@ -72,7 +72,7 @@ public:
     explicit ClustersOnDevice(cuda::Device& device)
         : device_(device), before_(device), clusters_(device), pencil_(device) {}
     /// `wanted`: which pencils; null: all.
-    void make(const Pencils& pencils, const SortedOnDevice& order, const PlaceRecord* places,
+    void make(const Pencils& pencils, const SortedOnDevice& order, const PackedPlace* places,
               const char* wanted = nullptr);
     const cuda::Array<Cluster>& clusters() const { return clusters_; }
     cuda::Array<Cluster>& clusters() { return clusters_; }
@@ -94,7 +94,7 @@ public:
         : device_(device), count_(device), blocks_(device), chunk_(device), sources_(device) {}
     /// Of all `clusters`, of which the k-th is in the pencil pencil[k] of `of_clusters`, among sources sorted by
     /// `pencils`.
-    void build(const Pencils& pencils, const Pencils& of_clusters, const PlaceRecord* places,
+    void build(const Pencils& pencils, const Pencils& of_clusters, const PackedPlace* places,
                const cuda::Array<int>& pencil, cuda::Array<Cluster>& clusters,
                const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
                ListRef Cluster::*list = &Cluster::list);

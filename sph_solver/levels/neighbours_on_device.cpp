@@ -33,7 +33,7 @@ void LevelOnDevice::make_lists(double drift) {
     on.surface.resize(p.surface.size());
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
     on.too_near.resize(n);
-    update_records();
+    pack_state();
     on.clusters.make(level_.grid, on.order, on.p.place.data(), or_null(on.own_pencils));
     const std::vector<cuda::DeviceSource> water = sources();
     on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.pencil(), on.clusters.clusters(), water,

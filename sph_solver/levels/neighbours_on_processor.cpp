@@ -7,10 +7,10 @@
 
 namespace tw {
 
-void LevelOnProcessor::update_records() {
+void LevelOnProcessor::pack_state() {
     Particles& p = level_.particles;
-    for_particles(p.size(), UpdateRecords{level_.state_view(), level_.to_fixed_point(), p.place.data(),
-                                          p.velocity_density.data()});
+    for_particles(p.size(),
+                  PackState{level_.state_view(), level_.to_fixed_point(), p.place.data(), p.velocity_density.data()});
     level_.ghosts.refresh(p, level_.time, p.velocity_density);
 }
 
@@ -55,7 +55,7 @@ void LevelOnProcessor::make_lists(double drift) {
 
     level_.ghosts.find(p, level_.grid, reach);
     p.make_room(level_.ghosts.count());
-    update_records();
+    pack_state();
 
     const std::vector<Source> own = sources();
     make_clusters(own.front(), level_.passes.lanes, level_.near.clusters, share_.own_pencils());

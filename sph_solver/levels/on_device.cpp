@@ -162,17 +162,17 @@ void LevelOnDevice::prune(double drift) {
     cuda::launch_pairs(*device_, d, on.clusters.clusters());
 }
 
-void LevelOnDevice::update_records() {
+void LevelOnDevice::pack_state() {
     Arrays& on = *on_;
     if (host_counts_) take_state();
     cuda::launch(*device_,
-                 UpdateRecords{on.p.view(), level_.to_fixed_point(), on.p.place.data(), on.p.velocity_density.data()},
+                 PackState{on.p.view(), level_.to_fixed_point(), on.p.place.data(), on.p.velocity_density.data()},
                  on.p.size());
     refresh_images(level_.time, false);
 }
 
 void LevelOnDevice::refresh_images(double t, bool with_stress) {
-    GradientPressureRecord* const stress = with_stress ? on_->p.gradient_pressure.data() : nullptr;
+    PackedGradientPressure* const stress = with_stress ? on_->p.gradient_pressure.data() : nullptr;
     const auto refresh = [&](const auto& force) {
         cuda::launch(*device_,
                      cuda::RefreshImages{on_->links.data(), on_->maps.data(), on_->p.size(), level_.fixed_point.size,
@@ -242,9 +242,9 @@ void LevelOnDevice::first_pair_loop(const OtherSums* other) {
 void LevelOnDevice::exchange_first_sums() {
     const Arrays::Fields& p = on_->p;
     loops_.halo().exchange(
-        {of_each(p.gradient_pressure.data(), offsetof(GradientPressureRecord, gx), 3 * sizeof(float)),
-         of_each(p.shift_support.data(), offsetof(ShiftSupportRecord, support), sizeof(float)),
-         of_each(p.rate.data(), offsetof(RateRecord, drho), sizeof(float))});
+        {of_each(p.gradient_pressure.data(), offsetof(PackedGradientPressure, gx), 3 * sizeof(float)),
+         of_each(p.shift_support.data(), offsetof(PackedShiftSupport, support), sizeof(float)),
+         of_each(p.rate.data(), offsetof(PackedRate, drho), sizeof(float))});
 }
 
 void LevelOnDevice::mark_surface() {

@@ -30,7 +30,7 @@ public:
     double bytes_on_device() const override;
 
     void make_lists(double drift) override;
-    void update_records() override;
+    void pack_state() override;
     void prune(double drift) override;
     std::int64_t live_pairs() const override;
     Near find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) override;

@@ -92,7 +92,7 @@ std::vector<Moved> LevelOnProcessor::move(const Move& by, const Hold& hold) {
             const V3<double> along = by.along(i);
             by.drift_along(i, along, shift);
             if (!p.wall_normal.empty() && kept_out_of_solids(p.kind[i])) {
-                WallNormalRecord& r = p.wall_normal[i];
+                PackedWallNormal& r = p.wall_normal[i];
                 r.distance += static_cast<float>(by.drift * level_.leaving(i, along) + dot(shift, normal_of(r)));
                 if (r.distance < held_from) hold(i, part);
             }

@@ -79,7 +79,7 @@ struct ParticleSystem {
     WallView wall_view() const;
     FirstPairLoopData first_pair_loop_data();
     SecondPairLoopData second_pair_loop_data(double t);
-    ExtrapolateData extrapolation() const;  ///< from the present records; the caller says where to
+    ExtrapolateData extrapolation() const;  ///< from the present packed arrays; the caller says where to
     InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     StepView step_view(double t, const Halo& halo);
 

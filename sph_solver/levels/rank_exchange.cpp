@@ -32,7 +32,7 @@ void RankShare::exchange_first_sums() {
     halo_.exchange(
         sizeof(Sums) + carried,
         [&](std::size_t i, std::byte* to) {
-            const GradientPressureRecord& g = p.gradient_pressure[i];
+            const PackedGradientPressure& g = p.gradient_pressure[i];
             const Sums sums{g.gx, g.gy, g.gz, p.shift_support[i].support, p.rate[i].drho};
             std::memcpy(to, &sums, sizeof(Sums));
             if (carried > 0) std::memcpy(to + sizeof(Sums), &p.carried[i], carried);
@@ -40,7 +40,7 @@ void RankShare::exchange_first_sums() {
         [&](std::size_t i, const std::byte* from) {
             Sums sums;
             std::memcpy(&sums, from, sizeof(Sums));
-            GradientPressureRecord& g = p.gradient_pressure[i];
+            PackedGradientPressure& g = p.gradient_pressure[i];
             g.gx = sums.gx, g.gy = sums.gy, g.gz = sums.gz;
             p.shift_support[i].support = sums.support, p.rate[i].drho = sums.drho;
             if (carried > 0) std::memcpy(&p.carried[i], from + sizeof(Sums), carried);

@@ -12,7 +12,7 @@ namespace tw {
 struct SortedPlaces {
     PencilGrid grid;
     std::vector<std::int32_t> order, start;  ///< order[k]: which point stands at k; first point of each pencil
-    std::vector<PlaceRecord> places;
+    std::vector<PackedPlace> places;
     std::vector<Cluster> clusters;
     NeighbourLists lists;
 
@@ -25,7 +25,7 @@ struct SortedPlaces {
         sort_by_pencil(grid, raw, order, start);
         places.resize(raw.size());
         for_particles(raw.size(),
-                      [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].record(0); });
+                      [&](std::size_t k) { places[k] = raw[static_cast<std::size_t>(order[k])].packed(0); });
         make_clusters(sorted(), level.passes.lanes, clusters, wanted);
     }
     SortedPlaces(const SortedPlaces&) = delete;

@@ -31,7 +31,7 @@ struct Moved : MovedExtremes {
 /// Who makes the parts of a level's step: this processor (on_processor.h) or a device (on_device.h). Level says in
 /// which order, and lets effects act and ranks exchange between them.
 ///
-/// The host's particles are the valid ones on a processor. A device keeps particles, packed arrays (records) and lists
+/// The host's particles are the valid ones on a processor. A device keeps particles, packed arrays and lists
 /// in its memory, and copies them to the host ("home") when it is asked for them.
 class StepMaker : public EdgeSteps {
 public:
@@ -47,7 +47,7 @@ public:
     // --- how particles find each other
     /// Packed arrays of the present positions, and lists that are valid for a drift of `drift` [s]: made anew.
     virtual void make_lists(double drift) = 0;
-    virtual void update_records() = 0;
+    virtual void pack_state() = 0;
     virtual void prune(double drift) = 0;         ///< lists kept, with those within reach during the drift
     virtual std::int64_t live_pairs() const = 0;  ///< that the pair loops visit
     /// Those of its clusters that have particles of another level within reach [m], with lists of these as

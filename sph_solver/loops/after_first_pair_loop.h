@@ -4,7 +4,7 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 #include "sph_solver/loops/surface.h"
 
 namespace tw {
@@ -16,13 +16,13 @@ struct AfterFirstPairLoop {
     StateView p;
     ToQuanta to_fixed_point;
     const Kind* kind;
-    const RateRecord* rate;
-    const ShiftSupportRecord* shift;
+    const PackedRate* rate;
+    const PackedShiftSupport* shift;
     const Aired* aired;  ///< null: no ventilation
-    PlaceRecord* place;
-    VelocityDensityRecord* motion;
-    GradientPressureRecord* stress;
-    WallNormalRecord* wall;  ///< null: there are no walls
+    PackedPlace* place;
+    PackedVelocityDensity* motion;
+    PackedGradientPressure* stress;
+    PackedWallNormal* wall;  ///< null: there are no walls
     double compress, drift;
     double surface_support;  ///< of LevelSetup
     // of several sizes of particles, else null

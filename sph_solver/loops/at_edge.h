@@ -6,7 +6,7 @@
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 #include "sph_solver/loops/surface_excess.h"
 
 namespace tw {
@@ -28,9 +28,9 @@ struct Asking {
 
 /// What a level's particles and their images give, one after another in the order of the level.
 struct TakeGiving {
-    const PlaceRecord* place;
-    const VelocityDensityRecord* motion;
-    const ShiftSupportRecord* shift;
+    const PackedPlace* place;
+    const PackedVelocityDensity* motion;
+    const PackedShiftSupport* shift;
     const float* density_rate;  ///< null: there is none, and it is not asked for
     const Kind* kind;
     const Link* links;
@@ -39,8 +39,8 @@ struct TakeGiving {
     double density_before;  ///< of Asking
     SurfaceExcess without;
     double row;  ///< Level::density_of_row [kg/m3]
-    PlaceRecord* to_place;
-    VelocityDensityRecord* to_motion;
+    PackedPlace* to_place;
+    PackedVelocityDensity* to_motion;
     float* known_support;  ///< null: it is not asked for, and nothing is taken off
     float* rate;           ///< null: it is not asked for
 
@@ -53,7 +53,7 @@ struct TakeGiving {
     void put(std::size_t i, std::size_t k) const {
         const std::size_t source = source_of(i);
         to_place[k] = place[i];
-        VelocityDensityRecord& r = to_motion[k] = motion[i];
+        PackedVelocityDensity& r = to_motion[k] = motion[i];
         if (rate) rate[k] = density_rate[source];
         if (density_before > 0)
             r.drho -= static_cast<float>(density_before * static_cast<double>(density_rate[source]));
@@ -65,7 +65,7 @@ struct TakeGiving {
 
 /// What is known at a place of another level's.
 struct Given {
-    VelocityDensityRecord value;
+    PackedVelocityDensity value;
     float support;       ///< sum_j V_j W_j of the particles that give [-]
     float mean_support;  ///< of those near, each with its own surroundings [-]; 0 unless asked for
     float compression;   ///< 0 unless asked for [kg/m3/s]
@@ -126,7 +126,7 @@ struct FollowCoarser {
             trend[i] = {fall.x, fall.y, fall.z, 0, 0};
             return;
         }
-        VelocityDensityRecord to = given.value;
+        PackedVelocityDensity to = given.value;
         to.drho += static_cast<float>(row * excess.of_child(static_cast<double>(given.mean_support)));
         const auto rate = [](float after, float now, double time) {
             return time > 0 ? static_cast<float>((static_cast<double>(after) - static_cast<double>(now)) / time) : 0;
@@ -141,7 +141,7 @@ struct FollowCoarser {
 struct FollowFiner {
     StateView p{};
     const Kind* kind = nullptr;
-    const ShiftSupportRecord* shift = nullptr;
+    const PackedShiftSupport* shift = nullptr;
     float* compression = nullptr;
     SurfaceExcess excess{};
     double row = 0;    ///< of the particle's level [kg/m3]
@@ -149,7 +149,7 @@ struct FollowFiner {
 
     void operator()(std::size_t i, const Given& given) const {
         if (given.known()) {
-            const VelocityDensityRecord& r = given.value;
+            const PackedVelocityDensity& r = given.value;
             set(i, r.u, r.v, r.w, r.drho + static_cast<float>(row * excess.of(static_cast<double>(shift[i].support))));
             compression[i] = given.compression;
             return;

@@ -2,7 +2,7 @@
 #include <cstddef>
 
 #include "sph_solver/domain/kind.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 
 namespace tw {
 

@@ -7,7 +7,7 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/vector.h"
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
@@ -87,7 +87,7 @@ struct LabelFine {
 struct Parent {
     std::int64_t index;
     V3<double> place;  ///< [m]
-    VelocityDensityRecord state;
+    PackedVelocityDensity state;
     Daughters before;
 
     static bool is(Kind kind, Daughters daughters, double outside, double within) {
@@ -96,7 +96,7 @@ struct Parent {
 };
 struct Child {
     V3<double> place;  ///< [m]
-    VelocityDensityRecord state;
+    PackedVelocityDensity state;
     Kind kind;
     std::int64_t id;
 };

@@ -35,7 +35,7 @@ struct ForceOnDummies {
     }
 
 private:
-    V3<double> on(const PlaceRecord& at, float p, const ListRef& near) const {
+    V3<double> on(const PackedPlace& at, float p, const ListRef& near) const {
         const double support = water.kernel.support();
         const NeighbourBlock* const blocks = lists.blocks(near);
         V3<double> sum{0, 0, 0};
@@ -43,7 +43,7 @@ private:
             for (std::uint32_t bits = blocks[b].live; bits != 0; bits &= bits - 1) {
                 const auto i = static_cast<std::size_t>(blocks[b].first + __builtin_ctz(bits));
                 if (i >= own) continue;
-                const PlaceRecord& of = water.place[i];
+                const PackedPlace& of = water.place[i];
                 const V3<double> r =
                     quantum * V3<std::int32_t>{difference(at.x, of.x), difference(at.y, of.y), difference(at.z, of.z)};
                 const double r2 = dot(r, r);

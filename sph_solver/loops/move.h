@@ -5,7 +5,7 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/shifting.h"
 #include "sph_solver/fields/quantities.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 #include "sph_solver/loops/stages.h"
 
 namespace tw {
@@ -32,8 +32,8 @@ struct Move {
 
     StateView p;
     const Kind* kind;
-    const RateRecord* rate;
-    const ShiftSupportRecord* shift_support;
+    const PackedRate* rate;
+    const PackedShiftSupport* shift_support;
     const Trend* trend;  ///< null: there are no buffer particles
     double dt, drifted, drift;
     double stream_before, stream_after;  ///< velocity along x [m/s]
@@ -51,7 +51,7 @@ struct Move {
                 larger(part.relative2_before, (u0 - stream_before) * (u0 - stream_before) + v0 * v0 + w0 * w0);
         V3<double> shift{0, 0, 0};
         const auto shift_towards_voids = [&] {
-            const ShiftSupportRecord& sum = shift_support[i];
+            const PackedShiftSupport& sum = shift_support[i];
             if (!shifts || static_cast<double>(sum.support) <= shifting_support) return;
             const auto [by, length2] = shift_step.of(sum.x, sum.y, sum.z);
             shift = by;
@@ -65,7 +65,7 @@ struct Move {
         switch (kind[i]) {
             case Kind::fluid:
             case Kind::overlap: {
-                const RateRecord& r = rate[i];
+                const PackedRate& r = rate[i];
                 if (kind[i] == Kind::fluid) part.acceleration2 = larger(part.acceleration2, squared(r.ax, r.ay, r.az));
                 add(r.ax, r.ay, r.az);
                 p.drho[i] = static_cast<float>(static_cast<double>(p.drho[i]) + dt * static_cast<double>(r.drho));

@@ -3,14 +3,14 @@
 #include <cstdint>
 
 #include "sph_solver/fields/field_list.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
 /// The wall nearest to a particle, which Walls::nearest finds.
 struct NearestWall {
-    WallNormalRecord normal = no_wall;
-    LeavingRecord leaving{};     ///< the water's way past the wall, before and beyond an edge
+    PackedWallNormal normal = no_wall;
+    PackedLeaving leaving{};     ///< the water's way past the wall, before and beyond an edge
     std::size_t body = 0;        ///< meaningful where `normal` is not `no_wall`
     std::int32_t triangle = -1;  ///< of the body's surface; likewise
 

@@ -4,13 +4,13 @@
 
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
 /// Whom bodies may press on (bodies/wall_pushes.h): water nearer to a wall than a spacing.
 struct MayBePressed {
-    const WallNormalRecord* wall;
+    const PackedWallNormal* wall;
     const Kind* kind;
     double spacing;  ///< [m]
 
@@ -22,10 +22,10 @@ struct MayBePressed {
 struct AddPushes {
     const std::int32_t* which;
     const V3<float>* push;  ///< [m/s2]
-    RateRecord* rate;
+    PackedRate* rate;
 
     void operator()(std::size_t k) const {
-        RateRecord& r = rate[which[k]];
+        PackedRate& r = rate[which[k]];
         r.ax += push[k].x, r.ay += push[k].y, r.az += push[k].z;
     }
 };

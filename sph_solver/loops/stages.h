@@ -3,7 +3,7 @@
 
 #include "sph_solver/device/kernel_of.h"
 #include "sph_solver/domain/kind.h"
-#include "sph_solver/loops/records.h"
+#include "sph_solver/loops/pack_state.h"
 
 namespace tw {
 
@@ -20,7 +20,7 @@ struct StageMean {
 };
 
 struct NoteCompression {
-    const RateRecord* rate;
+    const PackedRate* rate;
     float* compression;
 
     void operator()(std::size_t i) const { compression[i] = rate[i].drho; }
@@ -31,14 +31,14 @@ struct GoToStage {
     StateView p;
     const Kind* kind;
     const StageStart* start;
-    const RateRecord* rate;
+    const PackedRate* rate;
     double since;                  ///< [s]
     double stream, stream_before;  ///< its velocity now, and at the step's begin [m/s]
     double outlet_share;           ///< of Move
 
     void operator()(std::size_t i) const {
         const StageStart& from = start[i];
-        const RateRecord& r = rate[i];
+        const PackedRate& r = rate[i];
         p.x[i] = from.x + since * static_cast<double>(p.u[i]);
         p.y[i] = from.y + since * static_cast<double>(p.v[i]);
         p.z[i] = from.z + since * static_cast<double>(p.w[i]);
@@ -63,7 +63,7 @@ struct GoToStage {
 /// A stage's velocities and rates, with its weight; the first one notes where the step begins.
 struct AddStage {
     StateView p;
-    RateRecord* rate;
+    PackedRate* rate;
     StageStart* start;
     StageMean* mean;
     const float* compression;  ///< -rho div u of this stage [kg/m3/s]
@@ -72,7 +72,7 @@ struct AddStage {
     bool first;
 
     void operator()(std::size_t i) const {
-        RateRecord& r = rate[i];
+        PackedRate& r = rate[i];
         if (first) {
             start[i] = {p.x[i], p.y[i], p.z[i], p.u[i], p.v[i], p.w[i], p.drho[i]};
             if (diffusion) diffusion[i] = r.drho;
@@ -92,7 +92,7 @@ struct AddStage {
 /// Back to the step's begin, with the mean rates.
 struct EndStages {
     StateView p;
-    RateRecord* rate;
+    PackedRate* rate;
     const StageStart* start;
     const StageMean* mean;
 

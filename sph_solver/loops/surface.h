@@ -5,7 +5,7 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/fields/quantities.h"
 #include "sph_solver/loops/link_map.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
@@ -13,7 +13,7 @@ namespace tw {
 struct LacksSupport {
     const Kind* kind;
     const Trend* trend;  ///< null: there are no buffer particles
-    const ShiftSupportRecord* shift;
+    const PackedShiftSupport* shift;
     double surface_support;  ///< of LevelSetup
 
     bool operator()(std::size_t i) const {

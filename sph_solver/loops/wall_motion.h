@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "sph_solver/equations/vector.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
@@ -53,11 +53,11 @@ struct SkinMotion {
     }
 };
 
-inline V3<double> normal_of(const WallNormalRecord& n) { return {n.x, n.y, n.z}; }
+inline V3<double> normal_of(const PackedWallNormal& n) { return {n.x, n.y, n.z}; }
 
 /// The walls that particles have near.
 struct NearWalls {
-    const WallNormalRecord* normal;
+    const PackedWallNormal* normal;
     const WallMotion* motions;  ///< of the bodies; null: all are at rest
     const std::uint16_t* body;  ///< whose wall it is
     // null where no body is deformable

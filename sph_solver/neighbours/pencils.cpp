@@ -72,13 +72,13 @@ struct Bounds {
     std::int64_t lo[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, hi[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
 };
 /// `from`: the centre of the cluster's pencil.
-Bounds bounds(const PlaceRecord* places, const Cluster& g, const WidePlace& from) {
+Bounds bounds(const PackedPlace* places, const Cluster& g, const WidePlace& from) {
     const auto in_full = [](std::int32_t x, std::int64_t near) {
         return near + difference(x, static_cast<std::int32_t>(near));
     };
     Bounds r;
     for (std::int32_t k = 0; k < g.size; ++k) {
-        const PlaceRecord& p = places[g.first + k];
+        const PackedPlace& p = places[g.first + k];
         const std::int64_t xyz[3] = {in_full(p.x, from.x), in_full(p.y, from.y), in_full(p.z, from.z)};
         for (int a = 0; a < 3; ++a) {
             r.lo[a] = std::min(r.lo[a], xyz[a]);
@@ -159,10 +159,10 @@ private:
         const int x0 = grid_.pencil_x(box.lo[0] - r), x1 = grid_.pencil_x(box.hi[0] + r),
                   y1 = grid_.pencil_y(box.hi[1] + r);
         const std::int64_t middle = grid_.middle_of_slab(cz);
-        const auto below = [from = static_cast<std::int32_t>(middle)](const PlaceRecord& p, std::int64_t z) {
+        const auto below = [from = static_cast<std::int32_t>(middle)](const PackedPlace& p, std::int64_t z) {
             return difference(p.z, from) < z;
         };
-        const PlaceRecord* all_end = source_.places + source_.start->back();
+        const PackedPlace* all_end = source_.places + source_.start->back();
         for (int cy = grid_.pencil_y(box.lo[1] - r); cy <= y1; ++cy) {
             const double gap_y = grid_.gap_y(cy, box.lo[1], box.hi[1]);
             for (int cx = x0; cx <= x1; ++cx) {
@@ -171,8 +171,8 @@ private:
                 if (left2 < 0) continue;
                 const auto up = static_cast<std::int64_t>(std::ceil(std::sqrt(left2)));
                 const auto c = static_cast<std::size_t>(grid_.pencil(cx, cy, cz));
-                const PlaceRecord* end = source_.places + (*source_.start)[c + 1];
-                const PlaceRecord* p = lowest(c, end, box.lo[2] - r - middle, below);
+                const PackedPlace* end = source_.places + (*source_.start)[c + 1];
+                const PackedPlace* p = lowest(c, end, box.lo[2] - r - middle, below);
                 while (p < end && below(*p, box.lo[2] - up - middle)) ++p;
                 const std::int64_t top = box.hi[2] + up;
                 for (; p < end && below(*p, top + 1 - middle); p += 32) {
@@ -188,9 +188,9 @@ private:
 
     /// The pencil's first place not below z.
     template <class Below>
-    const PlaceRecord* lowest(std::size_t pencil, const PlaceRecord* end, std::int64_t z, const Below& below) {
+    const PackedPlace* lowest(std::size_t pencil, const PackedPlace* end, std::int64_t z, const Below& below) {
         Cursor& cursor = cursors_[pencil];
-        const PlaceRecord* p;
+        const PackedPlace* p;
         if (cursor.run == run_) {
             p = source_.places + cursor.at;
             while (p < end && below(*p, z)) ++p;

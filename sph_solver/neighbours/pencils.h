@@ -6,8 +6,8 @@
 
 #include "base/vec3.h"
 #include "sph_solver/neighbours/pencil_grid.h"
+#include "sph_solver/pair_loops/packed.h"
 #include "sph_solver/pair_loops/passes.h"
-#include "sph_solver/pair_loops/records.h"
 
 namespace tw {
 
@@ -54,7 +54,7 @@ void sort_by_pencil(const PencilGrid& grid, const std::vector<WidePlace>& places
 /// Sorted places in which neighbours are looked for.
 struct Source {
     const PencilGrid* grid;     ///< that they are sorted by
-    const PlaceRecord* places;  ///< indexed by pencil start + offset
+    const PackedPlace* places;  ///< indexed by pencil start + offset
     const std::vector<std::int32_t>* start;
     std::int32_t offset;  ///< index of the first place in the pass's index space
 };

@@ -35,7 +35,7 @@ struct FirstSums {
     void sums(auto&& of) { of(compression, wall_compression, support, difference2, touch, shift, grad_rho); }
     void reach_walls(const Own& i) {
         n_i = i.each_vector([&](int own) {
-            const WallNormalRecord& n = d.walls.normal[own];
+            const PackedWallNormal& n = d.walls.normal[own];
             return V3<float>{n.x, n.y, n.z};
         });
         u_n = dot(u_i, n_i);
@@ -100,7 +100,7 @@ protected:
     }
     void store_results(const Own& i, const V3<Real>& grad) const {
         i.for_each([&](int own, int l) {
-            GradientPressureRecord& out = d.stress[own];
+            PackedGradientPressure& out = d.stress[own];
             out.gx = grad.x[l], out.gy = grad.y[l], out.gz = grad.z[l];
             d.rate[own].drho = (d.water.rho0 + drho_i[l]) * compression[l];
             d.shift[own] = {shift.x[l], shift.y[l], shift.z[l], support[l]};

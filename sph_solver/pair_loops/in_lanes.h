@@ -50,7 +50,7 @@ struct Own {
         }
         return r;
     }
-    V3<Real> velocities(const VelocityDensityRecord* motion) const {
+    V3<Real> velocities(const PackedVelocityDensity* motion) const {
         return each_vector([&](int i) { return velocity(motion[i]); });
     }
     /// Calls `body(i, l)` for every lane, those beyond the cluster's size with its last particle.
@@ -108,11 +108,11 @@ typedef std::uint32_t U4 __attribute__((vector_size(16)));
 typedef float F4 __attribute__((vector_size(16), may_alias));
 
 /// Loads n neighbours, and zeros for the places beyond them whose distances are made and not used.
-inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Cluster& g, const Frame& frame) {
+inline void load_chunk(Chunk& chunk, const PackedPlace* place, int n, const Cluster& g, const Frame& frame) {
     for (int k = n; k < n + Chunk::ahead; ++k) *reinterpret_cast<F4*>(chunk.xyz[k]) = F4{};
     const U4 centre = (U4)I4{g.x, g.y, g.z, 0};
     for (int k = 0; k < n; ++k) {
-        const PlaceRecord& r = place[chunk.index[k]];
+        const PackedPlace& r = place[chunk.index[k]];
         const I4 raw = *reinterpret_cast<const I4*>(&r);
         F4 relative = __builtin_convertvector((I4)((U4)raw - centre), F4) * frame.length;
         relative[3] = r.volume * frame.volume;
@@ -126,7 +126,7 @@ inline void load_chunk(Chunk& chunk, const PlaceRecord* place, int n, const Clus
 /// Inlined whatever the compiler thinks: GCC 12.2 at -O2 with AVX drops a call, and so the sums, of a function that
 /// gets a closure by value and changes things only through the references in it (seen here, and in 25 lines).
 template <class Body, class Which>
-[[gnu::always_inline]] inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, const ListRef& ref,
+[[gnu::always_inline]] inline void for_each_neighbour(const PackedPlace* place, const Lists& lists, const ListRef& ref,
                                                       const Own& own, const Frame& frame, Body&& body, Which which) {
     const Cluster& g = own.cluster;
     const V3<Real>& x_i = own.x;

@@ -72,7 +72,7 @@ struct Own {
         const V3<float> v = value(in_lane(cluster, lane()));
         return {v.x, v.y, v.z};
     }
-    V3<Real> velocities(const VelocityDensityRecord* motion) const {
+    V3<Real> velocities(const PackedVelocityDensity* motion) const {
         return each_vector([&](int i) { return velocity(motion[i]); });
     }
     template <class Body>
@@ -96,7 +96,7 @@ struct Own {
 };
 
 template <class Body, class Which>
-inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, const ListRef& ref, const Own& own,
+inline void for_each_neighbour(const PackedPlace* place, const Lists& lists, const ListRef& ref, const Own& own,
                                const Frame& frame, Body&& body, Which which) {
     constexpr int capacity = 256;  // as in in_lanes.h: where a chunk ends decides who is in which slice
     const NeighbourBlock* const list = lists.blocks(ref);
@@ -115,7 +115,7 @@ inline void for_each_neighbour(const PlaceRecord* place, const Lists& lists, con
         device::sync_warp();
         for (int m = own.slice(); m < n; m += slices) {
             const std::int32_t j = index[m];
-            const PlaceRecord r = place[j];
+            const PackedPlace r = place[j];
             const V3<Real> r_ji{static_cast<float>(difference(r.x, g.x)) * frame.length - own.x.x,
                                 static_cast<float>(difference(r.y, g.y)) * frame.length - own.x.y,
                                 static_cast<float>(difference(r.z, g.z)) * frame.length - own.x.z};

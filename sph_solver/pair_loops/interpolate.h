@@ -13,9 +13,9 @@ inline constexpr double interpolation_h_over_dp = 1.2;
 struct InterpolateData {
     WaterView water{};                       ///< the particles and images that count, and the kernel
     Lists list{};                            ///< of the clusters of places among them
-    const PlaceRecord* at = nullptr;         ///< the places, in clusters as particles are
+    const PackedPlace* at = nullptr;         ///< the places, in clusters as particles are
     const float* known_support = nullptr;    ///< Shepard sum at each of the particles [-]; may be null
-    VelocityDensityRecord* value = nullptr;  ///< at the places
+    PackedVelocityDensity* value = nullptr;  ///< at the places
     float* support = nullptr;                ///< sum_j V_j W_j [-]
     float* mean_support = nullptr;           ///< mean of `known_support`
     const float* rate = nullptr;             ///< another field of the particles; may be null

@@ -21,7 +21,7 @@ struct Interpolate {
     void sums(auto&& of) { of(fit, u, v, w, drho, rate, known); }
     void meet(std::int32_t j, const Met& ij) {
         const Real V_W = ij.V_W();
-        const VelocityDensityRecord& r_j = d.water.motion[j];
+        const PackedVelocityDensity& r_j = d.water.motion[j];
         fit.add(ij.r_ji, V_W);
         u.add(ij.r_ji, V_W, r_j.u);
         v.add(ij.r_ji, V_W, r_j.v);

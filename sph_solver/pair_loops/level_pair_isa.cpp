@@ -71,7 +71,7 @@ struct PressOther {
     }
     void store(const Own& i) const {
         i.for_each([&](int own, int l) {
-            RateRecord& rate = d.rate[own];
+            PackedRate& rate = d.rate[own];
             rate.ax += force.x[l] * inv_rho[l];
             rate.ay += force.y[l] * inv_rho[l];
             rate.az += force.z[l] * inv_rho[l];

@@ -15,8 +15,8 @@ struct MeetOtherData {
 struct PressOtherData {
     WaterView water{}, other{};
     Lists list{};
-    const ShiftSupportRecord* shift = nullptr;
-    RateRecord* rate = nullptr;
+    const PackedShiftSupport* shift = nullptr;
+    PackedRate* rate = nullptr;
     float viscosity = 0;  ///< of the pair, see SecondPairLoopData
     float tension_control_from = 2;
 };

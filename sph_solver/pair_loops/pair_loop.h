@@ -79,15 +79,15 @@ inline ListRef list_for_rates(const WaterView& d, const Cluster& g) {
 }
 
 /// What stands for the particles' pressures, see tension_control.h.
-inline void control_tension(float from, const ShiftSupportRecord* shift, const Own& own, Real& p_i) {
+inline void control_tension(float from, const PackedShiftSupport* shift, const Own& own, Real& p_i) {
     if (from > 1.5f || own.cluster.wall_list.size > 0) return;
     own.for_every_lane([&](int i, int l) { p_i[l] = tension_controlled(p_i[l], shift[i].support, from); });
 }
 
-inline Own own_places(const PlaceRecord* place, const Cluster& g, const Frame& frame) {
+inline Own own_places(const PackedPlace* place, const Cluster& g, const Frame& frame) {
     Own own{g, {}};
     own.x = own.each_vector([&](int i) {
-        const PlaceRecord& a = place[i];
+        const PackedPlace& a = place[i];
         return V3<float>{static_cast<float>(difference(a.x, g.x)) * frame.length,
                          static_cast<float>(difference(a.y, g.y)) * frame.length,
                          static_cast<float>(difference(a.z, g.z)) * frame.length};
@@ -98,7 +98,7 @@ inline Own own_places(const PlaceRecord* place, const Cluster& g, const Frame& f
 /// The clusters' own places, whom they meet, and the lists of these.
 template <class Data>
 struct Meeting {
-    const PlaceRecord *own, *place;
+    const PackedPlace *own, *place;
     Lists lists;
     explicit Meeting(const Data& d) : own(d.water.place), place(d.water.place), lists(d.water.list) {
         if constexpr (requires { d.at; }) own = d.at;

@@ -18,7 +18,7 @@ inline Frame frame_of(const Kernel& kernel, float quantum) { return {quantum * k
 
 /// The particle in a lane; lanes beyond the cluster's size repeat the last one.
 inline int in_lane(const Cluster& g, int l) { return g.first + (l < g.size ? l : g.size - 1); }
-inline V3<float> velocity(const VelocityDensityRecord& r) { return {r.u, r.v, r.w}; }
+inline V3<float> velocity(const PackedVelocityDensity& r) { return {r.u, r.v, r.w}; }
 
 /// Which places of a block a loop visits: all live ones, or of these those at the free surface.
 struct Live {

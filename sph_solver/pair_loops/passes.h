@@ -6,7 +6,7 @@
 
 namespace tw {
 
-struct PlaceRecord;
+struct PackedPlace;
 
 /// One pair loop of one variant: a loop over `count` clusters and their neighbours. What it reads and writes names it.
 template <class View>
@@ -30,10 +30,10 @@ struct Passes {
     int lanes = 0;  ///< largest size of a cluster
     EnginePairLoops engine;
     EffectPairLoops effects;
-    ClusterReach (*reach_of)(const PlaceRecord* places, const Cluster&, const Reaches& fixed_point) = nullptr;
+    ClusterReach (*reach_of)(const PackedPlace* places, const Cluster&, const Reaches& fixed_point) = nullptr;
     /// Which of `count` <= 32 places sorted by z, those not above `top` (from the cluster's centre), are within the
     /// reaches of a particle of the cluster. Reads no place from `end` on.
-    Reached (*reached)(const ClusterReach&, const PlaceRecord* first, const PlaceRecord* end, int count,
+    Reached (*reached)(const ClusterReach&, const PackedPlace* first, const PackedPlace* end, int count,
                        std::int64_t top) = nullptr;
 
     /// Runs the pair loop of a view on `count` clusters.

@@ -7,7 +7,7 @@ namespace TW_ISA {
 namespace {
 
 /// Lane l's particle.
-inline void note_lane(ClusterReach& r, int l, const PlaceRecord& p, const Cluster& g) {
+inline void note_lane(ClusterReach& r, int l, const PackedPlace& p, const Cluster& g) {
     const float x = static_cast<float>(difference(p.x, g.x)), y = static_cast<float>(difference(p.y, g.y)),
                 z = static_cast<float>(difference(p.z, g.z));
     r.n[l] = x * x + y * y + z * z;

@@ -26,7 +26,7 @@ struct FirstPairLoop : FirstSums {
     using FirstSums::FirstSums;
 
     void meet(std::int32_t j, const Met& ij) {  // a particle in the water, or the image of one
-        const VelocityDensityRecord& r_j = d.water.motion[j];
+        const PackedVelocityDensity& r_j = d.water.motion[j];
         const V3<Real> u_ij = u_i - velocity(r_j);
         Continuity::add(ij, u_ij, compression);           // continuity
         support += ij.V_W();                              // Shepard sum
@@ -59,8 +59,8 @@ struct SecondPairLoop : SecondSums {
     using SecondSums::SecondSums;
 
     void meet(std::int32_t j, const Met& ij) {  // a particle in the water, or the image of one
-        const VelocityDensityRecord& r_j = d.water.motion[j];
-        const GradientPressureRecord& s_j = d.water.stress[j];
+        const PackedVelocityDensity& r_j = d.water.motion[j];
+        const PackedGradientPressure& s_j = d.water.stress[j];
         density_diffusion.add(ij, r_j.drho - drho_i, grad_i + V3<float>{s_j.gx, s_j.gy, s_j.gz}, diffusion);
         PressureGradient::add(ij, p_i + s_j.p + artificial_viscosity.pressure(ij, u_i - velocity(r_j)), water);
     }

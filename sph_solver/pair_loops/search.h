@@ -5,7 +5,7 @@
 namespace tw {
 namespace TW_ISA {
 
-ClusterReach reach_of(const PlaceRecord* places, const Cluster& g, const Reaches& reaches) {
+ClusterReach reach_of(const PackedPlace* places, const Cluster& g, const Reaches& reaches) {
     ClusterReach r;
     for (int l = 0; l < lanes; ++l) note_lane(r, l, places[in_lane(g, l)], g);
     note_reaches(r, g, reaches);
@@ -37,12 +37,12 @@ inline Places8 transposed(I4 r0, I4 r1, I4 r2, I4 r3, I4 r4, I4 r5, I4 r6, I4 r7
             __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15),
             __builtin_shufflevector(ab_z, cd_z, 0, 1, 8, 9, 4, 5, 12, 13)};
 }
-/// `record(k)`: the k-th of them.
-template <class Record>
-[[gnu::always_inline]] inline Places gathered(const Record& record) {
+/// `place(k)`: the k-th of them.
+template <class PlaceOf>
+[[gnu::always_inline]] inline Places gathered(const PlaceOf& place) {
     const auto eight = [&](int k) {
-        return transposed(record(k), record(k + 1), record(k + 2), record(k + 3), record(k + 4), record(k + 5),
-                          record(k + 6), record(k + 7));
+        return transposed(place(k), place(k + 1), place(k + 2), place(k + 3), place(k + 4), place(k + 5), place(k + 6),
+                          place(k + 7));
     };
     const Places8 low = eight(0);
 #if TW_LANES == 8
@@ -66,11 +66,11 @@ inline Real distance2(const ClusterReach& g, const Places& q) {
 
 }  // namespace
 
-Reached reached(const ClusterReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top) {
+Reached reached(const ClusterReach& g, const PackedPlace* first, const PackedPlace* end, int count, std::int64_t top) {
     Reached r{0, 0, 0};
     for (int k = 0; k < count && difference(first[k].z, g.z) <= top; k += lanes) {
-        PlaceRecord last[lanes];
-        const PlaceRecord* p = first + k;
+        PackedPlace last[lanes];
+        const PackedPlace* p = first + k;
         if (end - p < lanes) {
             for (int m = 0; m < lanes; ++m) last[m] = p + m < end ? p[m] : p[0];
             p = last;
@@ -96,7 +96,7 @@ void pass(const PruneData& d, const Cluster* clusters, int count) {
         const ListRef& list = g.*d.list;
         if (list.size == 0) continue;
         const ClusterReach own = reach_of(d.of, g, Reaches{0, d.reach, 0});
-        const auto record = [&](int k) { return *reinterpret_cast<const I4*>(d.place + index[k]); };
+        const auto place = [&](int k) { return *reinterpret_cast<const I4*>(d.place + index[k]); };
         NeighbourBlock *block = d.lists.blocks(list), *const end = block + list.size;
         while (block != end) {
             NeighbourBlock* const first = block;
@@ -106,7 +106,7 @@ void pass(const PruneData& d, const Cluster* clusters, int count) {
             if (doubtful == 0) continue;
             for (int k = 0; k < lanes - 1; ++k) index[doubtful + k] = index[0];
             for (int k = 0; k < doubtful; k += lanes) {
-                const Real d2 = distance2(own, gathered([&](int m) { return record(k + m); }));
+                const Real d2 = distance2(own, gathered([&](int m) { return place(k + m); }));
                 const std::uint32_t bits = simd::bits_below(d2, own.now2);
                 __builtin_memcpy(within + k / 8, &bits, lanes / 8);
             }

@@ -7,7 +7,7 @@ namespace TW_ISA {
 namespace {
 
 /// Of the warp's cluster.
-inline const ClusterReach& reach_of_warp(const PlaceRecord* places, const Cluster& g, const Reaches& reaches) {
+inline const ClusterReach& reach_of_warp(const PackedPlace* places, const Cluster& g, const Reaches& reaches) {
     ClusterReach& r = *device::room_of_warp<ClusterReach, 1>();
     device::sync_warp();
     if (const int l = device::thread(); l < lanes) note_lane(r, l, places[in_lane(g, l)], g);
@@ -15,7 +15,7 @@ inline const ClusterReach& reach_of_warp(const PlaceRecord* places, const Cluste
     device::sync_warp();
     return r;
 }
-inline float distance2(const ClusterReach& g, const PlaceRecord& p) {
+inline float distance2(const ClusterReach& g, const PackedPlace& p) {
     return distance2(g, static_cast<float>(difference(p.x, g.x)), static_cast<float>(difference(p.y, g.y)),
                      static_cast<float>(difference(p.z, g.z)))
         .v;

@@ -11,10 +11,10 @@ namespace tw {
 namespace TW_ISA {
 namespace {
 
-TW_ALONE void shift_along_surface(const V3<Real>& N, const Own& own, ShiftSupportRecord* shift) {
+TW_ALONE void shift_along_surface(const V3<Real>& N, const Own& own, PackedShiftSupport* shift) {
     const Real N2 = dot(N, N);
     own.for_each([&](int i, int l) {
-        ShiftSupportRecord& r = shift[i];
+        PackedShiftSupport& r = shift[i];
         V3<float> s{r.x, r.y, r.z};
         keep_along_surface({N.x[l], N.y[l], N.z[l]}, N2[l], s);
         r.x = s.x, r.y = s.y, r.z = s.z;
@@ -41,7 +41,7 @@ struct SecondSums {
           artificial_viscosity{d.viscosity},
           u_i(i.velocities(d.water.motion)),
           grad_i(i.each_vector([&](int own) {
-              const GradientPressureRecord& s = d.water.stress[own];
+              const PackedGradientPressure& s = d.water.stress[own];
               return V3<float>{s.gx, s.gy, s.gz};
           })),
           drho_i(i.each([&](int own) { return d.water.motion[own].drho; })),
@@ -62,7 +62,7 @@ struct SecondSums {
     void reach_walls(const Own& i) {
         if (d.leaving == nullptr) return;
         i.for_each([&](int own, int l) {
-            const LeavingRecord& way = d.leaving[own];
+            const PackedLeaving& way = d.leaving[own];
             const float speed2 = way.u * way.u + way.v * way.v + way.w * way.w;
             if (speed2 == 0) return;
             const bool past = way.passes <= d.since_lists;

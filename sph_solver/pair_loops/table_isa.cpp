@@ -6,8 +6,8 @@ namespace TW_ISA {
 
 template <class View>
 void pass(const View&, const Cluster*, int count);
-ClusterReach reach_of(const PlaceRecord* places, const Cluster& g, const Reaches& reaches);
-Reached reached(const ClusterReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
+ClusterReach reach_of(const PackedPlace* places, const Cluster& g, const Reaches& reaches);
+Reached reached(const ClusterReach& g, const PackedPlace* first, const PackedPlace* end, int count, std::int64_t top);
 
 namespace {
 

@@ -7,16 +7,16 @@
 #include "sph_solver/domain/kind.h"
 #include "sph_solver/equations/kernel.h"
 #include "sph_solver/pair_loops/clusters.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
 /// One level's particles and their mirror images, in one index space, and who of them meets whom.
 struct WaterView {
     Lists list{};  ///< Cluster::list
-    const PlaceRecord* place = nullptr;
-    const VelocityDensityRecord* motion = nullptr;
-    const GradientPressureRecord* stress = nullptr;
+    const PackedPlace* place = nullptr;
+    const PackedVelocityDensity* motion = nullptr;
+    const PackedGradientPressure* stress = nullptr;
     /// Bit i % 32 of word i / 32: place i is at the free surface. One word more than that at the end.
     const std::uint32_t* surface = nullptr;
     /// Of the particles: only active ones load a body, and only those that follow the equations have rates; null: all
@@ -32,22 +32,22 @@ struct WaterView {
 /// The walls' dummy particles, in an index space of their own.
 struct WallView {
     Lists list{};                        ///< Cluster::wall_list
-    const PlaceRecord* place = nullptr;  ///< null: the pair loop meets none
+    const PackedPlace* place = nullptr;  ///< null: the pair loop meets none
     const float* p = nullptr;
     const WallVelocity* velocity = nullptr;  ///< null: all walls are at rest
     /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
     /// cluster's wall blocks are ordered by body, none has dummies of two.
     const std::int32_t* body_end = nullptr;
     int bodies = 1;
-    const WallNormalRecord* normal = nullptr;  ///< of the particles
+    const PackedWallNormal* normal = nullptr;  ///< of the particles
 };
 
 /// Which neighbours of the clusters' lists are within reach.
 struct PruneData {
     Lists lists;
     ListRef Cluster::*list = &Cluster::list;
-    const PlaceRecord* of = nullptr;     ///< the clusters' places
-    const PlaceRecord* place = nullptr;  ///< those that the lists refer to
+    const PackedPlace* of = nullptr;     ///< the clusters' places
+    const PackedPlace* place = nullptr;  ///< those that the lists refer to
     double reach = 0;                    ///< [fixed-point units]
 };
 
@@ -56,9 +56,9 @@ struct FirstPairLoopData {
     WaterView water{};
     WallView walls{};
     const OtherSums* other = nullptr;          ///< null: there is one phase
-    GradientPressureRecord* stress = nullptr;  ///< gets the density gradient
-    ShiftSupportRecord* shift = nullptr;
-    RateRecord* rate = nullptr;       ///< gets drho = -rho div u
+    PackedGradientPressure* stress = nullptr;  ///< gets the density gradient
+    PackedShiftSupport* shift = nullptr;
+    PackedRate* rate = nullptr;       ///< gets drho = -rho div u
     CarriedShare* carried = nullptr;  ///< may be null
     float inv_W_dp = 0;               ///< 1 / W(dp)
     float fastest_shift = 0;          ///< c0 / 10 [m/s], see Shifting
@@ -72,10 +72,10 @@ struct FirstPairLoopData {
 struct SecondPairLoopData {
     WaterView water{};
     WallView walls{};
-    const LeavingRecord* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
+    const PackedLeaving* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
     float since_lists = 0;                   ///< age of the lists [s]
-    ShiftSupportRecord* shift = nullptr;     ///< turned along the free surface
-    RateRecord* rate = nullptr;              ///< gets the acceleration, and as drho what is not compression
+    PackedShiftSupport* shift = nullptr;     ///< turned along the free surface
+    PackedRate* rate = nullptr;              ///< gets the acceleration, and as drho what is not compression
     WallLoad* wall_load =
         nullptr;  ///< from Cluster::wall_load on one for each body that the cluster has in reach, in order
     float diffusion = 0;           ///< delta c0 [m/s], see DensityDiffusion
@@ -90,7 +90,7 @@ struct SecondPairLoopData {
 struct ExtrapolateData {
     WaterView water{};
     Lists list{};                                    ///< of the points, in clusters as particles are
-    const PlaceRecord* at = nullptr;                 ///< the points
+    const PackedPlace* at = nullptr;                 ///< the points
     const WallAcceleration* acceleration = nullptr;  ///< of the points; null: at rest
     float* p = nullptr;                              ///< [Pa]
     float* support = nullptr;                        ///< sum_j V_j W_ij; may be null

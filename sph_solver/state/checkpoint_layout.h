@@ -21,7 +21,7 @@ inline hid_t type_of(const AnyField& field) {
         case AnyField::Element::float32: return H5T_NATIVE_FLOAT;
         case AnyField::Element::int64: return H5T_NATIVE_INT64;
         case AnyField::Element::uint8: return H5T_NATIVE_UINT8;
-        case AnyField::Element::record: break;
+        case AnyField::Element::packed: break;
     }
     throw std::logic_error(std::string(field.name()) + ": checkpoints hold numbers only");
 }

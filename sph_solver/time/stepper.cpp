@@ -125,8 +125,8 @@ void Stepper::evaluate_stages(RefinementLevel& refinement_level, double dt) {
     place_bodies(0);
 }
 
-/// Records of who is where now and, where lists are due, those lists, good for a drift of `drift` [s]. And who is what
-/// at the edge of the next finer refinement level.
+/// Packed arrays of who is where now and, where lists are due, those lists, good for a drift of `drift` [s]. And who is
+/// what at the edge of the next finer refinement level.
 void Stepper::find_neighbours(RefinementLevel& refinement_level, double drift) {
     const bool due = refinement_level.lists_due();
     if (due) {

@@ -32,8 +32,8 @@
 namespace tw::in_fake_cuda {
 template <class View>
 void pass(const View&, const Cluster*, int count);
-ClusterReach reach_of(const PlaceRecord* places, const Cluster& g, const Reaches& reaches);
-Reached reached(const ClusterReach& g, const PlaceRecord* first, const PlaceRecord* end, int count, std::int64_t top);
+ClusterReach reach_of(const PackedPlace* places, const Cluster& g, const Reaches& reaches);
+Reached reached(const ClusterReach& g, const PackedPlace* first, const PackedPlace* end, int count, std::int64_t top);
 }  // namespace tw::in_fake_cuda
 
 namespace {
@@ -123,7 +123,7 @@ void search(void** a) {
     const auto& task = argument<cuda::SearchNeighbours>(a, 0);
     for (int n = 0; n < argument<int>(a, 2); ++n) {
         const ClusterReach own = in_fake_cuda::reach_of(task.places, task.clusters[n], task.reaches);
-        const auto ask = [&](const PlaceRecord* first, const PlaceRecord* end, int places, std::int64_t top) {
+        const auto ask = [&](const PackedPlace* first, const PackedPlace* end, int places, std::int64_t top) {
             return in_fake_cuda::reached(own, first, end, places, top);
         };
         task(static_cast<std::size_t>(n), ask, [](const auto& act) { act(); });

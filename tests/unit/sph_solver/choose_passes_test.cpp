@@ -86,7 +86,7 @@ TEST(ChoosePasses, WhereNothingCanBeRememberedTakesTheDefault) {
 
 /// The first pair loop and the forces of a jittered block with one variant, in the order of its lattice.
 struct Sums {
-    std::vector<RateRecord> rate;
+    std::vector<PackedRate> rate;
     std::vector<double> divergence, support;
 };
 Sums sums_with(const Passes& passes) {
@@ -98,7 +98,7 @@ Sums sums_with(const Passes& passes) {
     std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
     std::uniform_real_distribution<float> any(-1, 1);
     std::vector<WidePlace> raw;
-    std::vector<VelocityDensityRecord> all_motion;
+    std::vector<PackedVelocityDensity> all_motion;
     for (int k = 0; k < edge * edge * edge; ++k) {
         const Vec3 x = dp * Vec3(k % edge, k / edge % edge, k / edge / edge);
         raw.push_back(fixed_point.wide(x + Vec3(jitter(random), jitter(random), jitter(random))));
@@ -107,15 +107,15 @@ Sums sums_with(const Passes& passes) {
     raw[1] = raw[0];  // two at one place
     std::vector<std::int32_t> order, start;
     sort_by_pencil(grid, raw, order, start);
-    std::vector<PlaceRecord> place;
-    std::vector<VelocityDensityRecord> motion;
+    std::vector<PackedPlace> place;
+    std::vector<PackedVelocityDensity> motion;
     for (const std::int32_t k : order) {
-        place.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
+        place.push_back(raw[static_cast<std::size_t>(k)].packed(static_cast<float>(dp * dp * dp)));
         motion.push_back(all_motion[static_cast<std::size_t>(k)]);
     }
-    std::vector<GradientPressureRecord> stress(place.size());
-    std::vector<ShiftSupportRecord> shift(place.size());
-    std::vector<RateRecord> rate(place.size());
+    std::vector<PackedGradientPressure> stress(place.size());
+    std::vector<PackedShiftSupport> shift(place.size());
+    std::vector<PackedRate> rate(place.size());
     const std::vector<std::uint32_t> surface(place.size() / 32 + 2, 0);
     std::vector<Cluster> clusters;
     NeighbourLists lists;

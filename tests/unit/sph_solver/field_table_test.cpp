@@ -101,7 +101,7 @@ TEST(Particles, WhatIsSavedHasANameOfItsOwnAndHoldsNumbers) {
     const Particles p;
     p.each([&](const AnyField& f) {
         EXPECT_TRUE(names.insert(f.name()).second) << f.name();
-        EXPECT_TRUE(!f.saved() || f.element() != AnyField::Element::record) << f.name();
+        EXPECT_TRUE(!f.saved() || f.element() != AnyField::Element::packed) << f.name();
     });
     EXPECT_TRUE(names.contains("x"));
 }

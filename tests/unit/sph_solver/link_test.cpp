@@ -50,7 +50,7 @@ TEST(Link, APeriodicImageIsALengthOnAndUnturned) {
     const LinkMap map = beyond_a_periodic_side();
     EXPECT_EQ(map.place({950000, 250000, -3}).x, -1050000);
     EXPECT_EQ(map.place({950000, 250000, -3}).y, 250000);
-    const VelocityDensityRecord u = seen<Law::vector>(VelocityDensityRecord{1, 2, 3, 4}, map);
+    const PackedVelocityDensity u = seen<Law::vector>(PackedVelocityDensity{1, 2, 3, 4}, map);
     EXPECT_EQ(Vec3(u.u, u.v, u.w), Vec3(1, 2, 3));
     EXPECT_TRUE(map.repeats[0]);
 }
@@ -58,7 +58,7 @@ TEST(Link, APeriodicImageIsALengthOnAndUnturned) {
 TEST(Link, EachLawByValueBehindTheFloor) {
     const LinkMap map = behind_the_floor();
     EXPECT_EQ(seen<Law::scalar>(5.0f, map), 5);
-    const VelocityDensityRecord u = seen<Law::vector>(VelocityDensityRecord{1, 2, 3, 4}, map);
+    const PackedVelocityDensity u = seen<Law::vector>(PackedVelocityDensity{1, 2, 3, 4}, map);
     EXPECT_EQ(Vec3(u.u, u.v, u.w), Vec3(1, 2, -3));
     EXPECT_EQ(u.drho, 4);
     const CarriedShare t = seen<Law::tensor>(CarriedShare{1, 2, 3, 4, 5, 6}, map);
@@ -66,10 +66,10 @@ TEST(Link, EachLawByValueBehindTheFloor) {
     EXPECT_EQ(Vec3(t.xy, t.xz, t.yz), Vec3(2, -3, -5)) << "once for each index that is z";
     // 0.1 m further down under g = 10, c0 = 20: 1000 Pa and 2.5 kg/m3 more; what exceeds the line's gradient is turned
     const HydrostaticLine line{{0, 0, -25}, 2.5, 1000};
-    const VelocityDensityRecord r = seen_on(line, VelocityDensityRecord{1, 2, 3, 4}, map);
+    const PackedVelocityDensity r = seen_on(line, PackedVelocityDensity{1, 2, 3, 4}, map);
     EXPECT_EQ(Vec3(r.u, r.v, r.w), Vec3(1, 2, -3));
     EXPECT_EQ(r.drho, 6.5f);
-    const GradientPressureRecord s = seen_on(line, GradientPressureRecord{1, 2, -20, 300}, map);
+    const PackedGradientPressure s = seen_on(line, PackedGradientPressure{1, 2, -20, 300}, map);
     EXPECT_EQ(Vec3(s.gx, s.gy, s.gz), Vec3(1, 2, -30));
     EXPECT_EQ(s.p, 1300);
 }
@@ -84,7 +84,7 @@ TEST(Link, BehindAWallThatHoldsTheWaterEverythingMovesAgainstIt) {
     const LinkMaps maps(mirrors, box, fixed_point);
     std::vector<Vec3> seen_of_first, seen_of_second;
     for (const Link& link : find_images(mirrors, box, p, 0.1)) {
-        const VelocityDensityRecord u = seen<Law::held>(VelocityDensityRecord{1, 2, 3, 4}, maps[link]);
+        const PackedVelocityDensity u = seen<Law::held>(PackedVelocityDensity{1, 2, 3, 4}, maps[link]);
         (link.index == 0 ? seen_of_first : seen_of_second).emplace_back(u.u, u.v, u.w);
     }
     ASSERT_EQ(seen_of_first.size(), 3u);
@@ -117,13 +117,13 @@ TEST(Ghosts, AreRefreshedByEachQuantitysLaw) {
     ASSERT_EQ(p.place.size(), 4u);
     EXPECT_EQ(p.rate.size(), 2u) << "images have no rates";
     for (std::size_t i = 0; i < 2; ++i) {
-        p.place[i] = fine.wide(Vec3(p.x[i], p.y[i], p.z[i])).record(1);
+        p.place[i] = fine.wide(Vec3(p.x[i], p.y[i], p.z[i])).packed(1);
         p.velocity_density[i] = {1, 2, 3, 4};
     }
     ghosts.refresh(p, 0, p.velocity_density);
     EXPECT_TRUE(p.carried.empty()) << "without a control volume";
     for (std::size_t k = 0; k < 2; ++k) {
-        const VelocityDensityRecord& seen = p.velocity_density[2 + k];
+        const PackedVelocityDensity& seen = p.velocity_density[2 + k];
         const bool floor = ghosts.links()[k].index == 0;
         EXPECT_EQ(seen.w, floor ? -3 : 3);
         EXPECT_NEAR(double(seen.drho), floor ? 4 + 1000 * 10 * 0.1 / (20 * 20) : 4, 1e-5);

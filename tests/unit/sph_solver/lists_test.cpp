@@ -16,7 +16,7 @@ struct Cloud {
     Quanta fixed_point{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
     PencilGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, fixed_point,
                     passes().lanes};  // smaller than the cloud
-    std::vector<PlaceRecord> places;
+    std::vector<PackedPlace> places;
     std::vector<std::int32_t> start;
     std::vector<Cluster> clusters;
 
@@ -30,15 +30,15 @@ struct Cloud {
         }
         std::vector<std::int32_t> order;
         sort_by_pencil(grid, raw, order, start);
-        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
+        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].packed(1));
         make_clusters({&grid, places.data(), &start, 0}, passes().lanes, clusters);
     }
     /// Of place k from the nearest particle of the cluster, one of `targets` [m].
     double distance(const Cluster& g, std::size_t k) const { return distance(places, g, k); }
-    double distance(const std::vector<PlaceRecord>& targets, const Cluster& g, std::size_t k) const {
+    double distance(const std::vector<PackedPlace>& targets, const Cluster& g, std::size_t k) const {
         double least = 1e30;
         for (std::int32_t i = g.first; i < g.first + g.size; ++i) {
-            const PlaceRecord &a = targets[static_cast<std::size_t>(i)], &b = places[k];
+            const PackedPlace &a = targets[static_cast<std::size_t>(i)], &b = places[k];
             least = std::min(least, std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z));
         }
         return least * fixed_point.size;
@@ -92,11 +92,11 @@ TEST(NeighbourLists, HoldThemForPlacesSortedByPencilsOfAnotherWidth) {
     for (const double factor : {0.5, 2.0}) {
         const PencilGrid grid = cloud.grid.scaled(factor);
         std::vector<WidePlace> raw;
-        for (const PlaceRecord& p : cloud.places) raw.push_back({p.x + 1000, p.y, p.z});
+        for (const PackedPlace& p : cloud.places) raw.push_back({p.x + 1000, p.y, p.z});
         std::vector<std::int32_t> order, start;
         sort_by_pencil(grid, raw, order, start);
-        std::vector<PlaceRecord> places;
-        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].record(1));
+        std::vector<PackedPlace> places;
+        for (const std::int32_t k : order) places.push_back(raw[static_cast<std::size_t>(k)].packed(1));
         const Source targets{&grid, places.data(), &start, 0};
         std::vector<Cluster> clusters;
         make_clusters(targets, passes().lanes, clusters);
@@ -126,7 +126,7 @@ TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
                 {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
     std::mt19937 random(6);
     std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
-    for (PlaceRecord& p : cloud.places)
+    for (PackedPlace& p : cloud.places)
         for (std::int32_t* x : {&p.x, &p.y, &p.z})
             *x += static_cast<std::int32_t>(move(random) / cloud.fixed_point.size);
     PruneData d;

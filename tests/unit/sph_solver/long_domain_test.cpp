@@ -20,12 +20,12 @@ struct Row {
     int length;
     Quanta fixed_point{Vec3(2, 0, 2), dp / one_dp};
     std::vector<WidePlace> raw;  ///< particle k * rows + m: k along the row, m across
-    std::vector<PlaceRecord> place;
+    std::vector<PackedPlace> place;
     std::vector<std::int32_t> order, start;
-    std::vector<VelocityDensityRecord> motion;
-    std::vector<GradientPressureRecord> stress;
-    std::vector<ShiftSupportRecord> shift;
-    std::vector<RateRecord> rate;
+    std::vector<PackedVelocityDensity> motion;
+    std::vector<PackedGradientPressure> stress;
+    std::vector<PackedShiftSupport> shift;
+    std::vector<PackedRate> rate;
     std::vector<Cluster> clusters;
     NeighbourLists lists;
 
@@ -39,7 +39,7 @@ struct Row {
         std::uniform_real_distribution<float> any(-1, 1);
         struct {
             std::int64_t along, across;
-            VelocityDensityRecord motion;
+            PackedVelocityDensity motion;
         } pattern[period * rows];
         for (auto& p : pattern)
             p = {jitter(random), jitter(random), {any(random), any(random), any(random), any(random)}};
@@ -51,7 +51,7 @@ struct Row {
             }
         sort_by_pencil(grid, raw, order, start);
         for (const std::int32_t i : order) {
-            place.push_back(raw[static_cast<std::size_t>(i)].record(static_cast<float>(dp * dp)));
+            place.push_back(raw[static_cast<std::size_t>(i)].packed(static_cast<float>(dp * dp)));
             motion.push_back(pattern[i % (period * rows)].motion);
         }
         const Source source{&grid, place.data(), &start, 0};

@@ -24,13 +24,13 @@ struct Basin {
 
     Quanta fixed_point{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
     PencilGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, fixed_point, passes().lanes};
-    std::vector<PlaceRecord> place, wall_place;
+    std::vector<PackedPlace> place, wall_place;
     std::vector<std::int32_t> start, wall_start[2], body_end;
-    std::vector<VelocityDensityRecord> motion;
-    std::vector<GradientPressureRecord> stress;
-    std::vector<ShiftSupportRecord> shift;
-    std::vector<RateRecord> rate;
-    std::vector<WallNormalRecord> normal;
+    std::vector<PackedVelocityDensity> motion;
+    std::vector<PackedGradientPressure> stress;
+    std::vector<PackedShiftSupport> shift;
+    std::vector<PackedRate> rate;
+    std::vector<PackedWallNormal> normal;
     std::vector<float> wall_p;
     std::vector<WallLoad> wall_load;
     std::vector<std::uint32_t> surface;
@@ -71,8 +71,8 @@ struct Basin {
         for (std::size_t i = 0; i < n; ++i) {
             motion.push_back({any(random), any(random), any(random), any(random)});
             stress.push_back({0, 0, 0, 500 + 100 * any(random)});
-            normal.push_back(place[i].x < place[i].z ? WallNormalRecord{1, 0, 0, 0.1f}
-                                                     : WallNormalRecord{0, 0, 1, 0.1f});
+            normal.push_back(place[i].x < place[i].z ? PackedWallNormal{1, 0, 0, 0.1f}
+                                                     : PackedWallNormal{0, 0, 1, 0.1f});
         }
         for (std::size_t k = 0; k < wall_place.size(); ++k) wall_p.push_back(600);
         shift.resize(n), rate.resize(n), surface.assign(n / 32 + 2, 0);
@@ -106,17 +106,17 @@ struct Basin {
                   .rate = rate.data(),
                   .wall_load = wall_load.data()};
     }
-    void add_sorted(const std::vector<WidePlace>& raw, std::vector<PlaceRecord>& to, std::vector<std::int32_t>& at) {
+    void add_sorted(const std::vector<WidePlace>& raw, std::vector<PackedPlace>& to, std::vector<std::int32_t>& at) {
         std::vector<std::int32_t> order;
         sort_by_pencil(grid, raw, order, at);
         for (const std::int32_t k : order)
-            to.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp * dp)));
+            to.push_back(raw[static_cast<std::size_t>(k)].packed(static_cast<float>(dp * dp * dp)));
     }
     void move(float u, float v, float w) {
-        for (VelocityDensityRecord& r : motion) r.u += u, r.v += v, r.w += w;
+        for (PackedVelocityDensity& r : motion) r.u += u, r.v += v, r.w += w;
     }
     int count() const { return static_cast<int>(clusters.size()); }
-    std::vector<RateRecord> continuity(const std::vector<WallVelocity>& of_walls_ = {}) {
+    std::vector<PackedRate> continuity(const std::vector<WallVelocity>& of_walls_ = {}) {
         first.walls.velocity = of_walls_.empty() ? nullptr : of_walls_.data();
         passes().run(first, clusters.data(), count());
         return rate;
@@ -147,9 +147,9 @@ struct Basin {
     }
 };
 
-double largest_rate(const std::vector<RateRecord>& rates) {
+double largest_rate(const std::vector<PackedRate>& rates) {
     double most = 0;
-    for (const RateRecord& r : rates) most = std::max(most, std::abs(double(r.drho)));
+    for (const PackedRate& r : rates) most = std::max(most, std::abs(double(r.drho)));
     return most;
 }
 
@@ -167,7 +167,7 @@ TEST(MovingWalls, AtRestAreTheWallsThatDoNotMoveBitByBit) {
 
 TEST(MovingWalls, ThatGoWithTheWaterCompressNothing) {
     Basin basin;
-    for (VelocityDensityRecord& r : basin.motion) r = {3, -1, -2, r.drho};
+    for (PackedVelocityDensity& r : basin.motion) r = {3, -1, -2, r.drho};
     const std::vector<WallVelocity> along(basin.wall_place.size(), {3, -1, -2});
     const double scale = rho0 * 3 / h;
     EXPECT_LT(largest_rate(basin.continuity(along)), 1e-5 * scale);
@@ -176,11 +176,11 @@ TEST(MovingWalls, ThatGoWithTheWaterCompressNothing) {
 
 TEST(MovingWalls, CompressWaterAtRestAsWaterThatMovesAgainstThem) {
     Basin basin;
-    for (VelocityDensityRecord& r : basin.motion) r = {0, 0, 0, r.drho};
-    const std::vector<RateRecord> pushed =
+    for (PackedVelocityDensity& r : basin.motion) r = {0, 0, 0, r.drho};
+    const std::vector<PackedRate> pushed =
         basin.continuity(std::vector<WallVelocity>(basin.wall_place.size(), {0.5f, 0, 1.5f}));
     basin.move(-0.5f, 0, -1.5f);
-    const std::vector<RateRecord> falls = basin.continuity();
+    const std::vector<PackedRate> falls = basin.continuity();
     for (std::size_t i = 0; i < falls.size(); ++i) EXPECT_NEAR(pushed[i].drho, falls[i].drho, 1e-5 * rho0 * 1.5 / h);
 }
 
@@ -189,10 +189,10 @@ TEST(MovingWalls, GiveARateThatIsTheSameInAnyFrame) {
     std::vector<WallVelocity> walls;
     for (std::size_t k = 0; k < basin.wall_place.size(); ++k)
         walls.push_back({0.1f * static_cast<float>(k % 7), 0.2f, -0.3f * static_cast<float>(k % 3)});
-    const std::vector<RateRecord> here = basin.continuity(walls);
+    const std::vector<PackedRate> here = basin.continuity(walls);
     basin.move(5, -7, 3);
     for (WallVelocity& u : walls) u.u += 5, u.v -= 7, u.w += 3;
-    const std::vector<RateRecord> there = basin.continuity(walls);
+    const std::vector<PackedRate> there = basin.continuity(walls);
     for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(here[i].drho, there[i].drho, 1e-5 * rho0 * 7 / h);
 }
 
@@ -228,7 +228,7 @@ TEST(AcceleratedWalls, WithoutAccelerationAreWallsAtRestBitByBit) {
 
 TEST(AcceleratedWalls, ThatFallFreelyCarryNoHydrostaticDifference) {
     Basin basin(Basin::floor_alone);
-    for (GradientPressureRecord& r : basin.stress) r.p = 700;
+    for (PackedGradientPressure& r : basin.stress) r.p = 700;
     const Extrapolated falls =
                            to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, -9.81f})),
                        rest = to_walls(basin, {});
@@ -243,7 +243,7 @@ TEST(AcceleratedWalls, ThatFallFreelyCarryNoHydrostaticDifference) {
 
 TEST(AcceleratedWalls, UpwardsBearMore) {
     Basin basin(Basin::floor_alone);
-    for (GradientPressureRecord& r : basin.stress) r.p = 700;
+    for (PackedGradientPressure& r : basin.stress) r.p = 700;
     const Extrapolated up = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, 9.81f})),
                        rest = to_walls(basin, std::vector<WallAcceleration>(basin.wall_place.size(), {0.3f, 0, 0}));
     for (std::size_t k = 0; k < up.p.size(); ++k)

@@ -48,8 +48,8 @@ bool interior(const Vec3& x, double h) {
 /// What the engine's first pair loop makes of particles with the density deviation f, in the order of `places`.
 struct PairLoop {
     std::vector<Vec3> places;
-    std::vector<GradientPressureRecord> stress;
-    std::vector<ShiftSupportRecord> shift;
+    std::vector<PackedGradientPressure> stress;
+    std::vector<PackedShiftSupport> shift;
 };
 template <class Field>
 PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
@@ -59,15 +59,15 @@ PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f)
     const PencilGrid grid(area, dp, 2, fixed_point, passes().lanes);
     const Kernel kernel(h, 2);
     std::vector<WidePlace> raw;
-    std::vector<PlaceRecord> sorted;
+    std::vector<PackedPlace> sorted;
     for (const Vec3& x : unsorted) raw.push_back(fixed_point.wide(Vec3(x.x(), 0, x.z())));
     std::vector<std::int32_t> order, start;
     sort_by_pencil(grid, raw, order, start);
     PairLoop r;
-    std::vector<VelocityDensityRecord> motion;
+    std::vector<PackedVelocityDensity> motion;
     for (const std::int32_t k : order) {
         const Vec3& x = unsorted[static_cast<std::size_t>(k)];
-        sorted.push_back(raw[static_cast<std::size_t>(k)].record(static_cast<float>(dp * dp)));
+        sorted.push_back(raw[static_cast<std::size_t>(k)].packed(static_cast<float>(dp * dp)));
         motion.push_back({0, 0, 0, static_cast<float>(f(x))});
         r.places.push_back(x);
     }
@@ -78,7 +78,7 @@ PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f)
     lists.build(passes(), fixed_point, source, clusters, {source}, {2 * h, 2 * h, 2 * h});
     r.stress.resize(sorted.size());
     r.shift.resize(sorted.size());
-    std::vector<RateRecord> rate(sorted.size());
+    std::vector<PackedRate> rate(sorted.size());
     const FirstPairLoopData d{.water = {.list = lists.view(),
                                         .place = sorted.data(),
                                         .motion = motion.data(),
@@ -159,7 +159,7 @@ TEST(RenormalisedGradient, IsExactForLinearFieldsOnJitteredParticlesUpToTheFreeS
         for (const double jitter : {0.0, 0.2, 0.4}) {
             const PairLoop s = pair_loop(patch(jitter), ratio, linear);
             double error = 0;
-            for (const GradientPressureRecord& g : s.stress)
+            for (const PackedGradientPressure& g : s.stress)
                 error = std::max(error, std::hypot(g.gx - 3.0, g.gz + 2.0));
             std::printf("  %.1f   %.1f     %.1e\n", ratio, jitter, error / std::sqrt(13.0));
             EXPECT_LT(error, 2e-5) << ratio << " " << jitter;

@@ -3,11 +3,11 @@
 
 namespace tw {
 
-// What the pair passes read and write: plain arrays, so that the passes can be compiled once per instruction set (and
-// for a GPU) without dragging other code along. One neighbour costs three 16-byte loads.
+// Packed arrays: what the pair loops read and write, plain so that the loops can be compiled once per instruction set
+// (and for a GPU) without dragging other code along. One neighbour costs three 16-byte loads.
 
-/// Position in units of `quantum`, modulo 2^32; volume m/rho [m3].
-struct alignas(16) PlaceRecord {
+/// Position in fixed-point units (FixedPoint), modulo 2^32; volume m/rho [m3].
+struct alignas(16) PackedPlace {
     std::int32_t x, y, z;
     float volume;
 };
@@ -16,16 +16,16 @@ struct alignas(16) PlaceRecord {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 /// Velocity [m/s] and density deviation rho - rho0 [kg/m3].
-struct alignas(16) VelocityDensityRecord {
+struct alignas(16) PackedVelocityDensity {
     float u, v, w, drho;
 };
 /// Renormalised density gradient [kg/m4] and pressure [Pa].
-struct alignas(16) GradientPressureRecord {
+struct alignas(16) PackedGradientPressure {
     float gx, gy, gz, p;
 };
 
-/// Per-particle result of the gradient pass.
-struct alignas(16) ShiftSupportRecord {
+/// Per-particle result of the first pair loop.
+struct alignas(16) PackedShiftSupport {
     float x, y, z;  ///< min(b v_i, c0 / 10) s_i of shifting.h [1/s]; after the second pair loop along the free surface
     float support;  ///< sum_j V_j W_ij, walls and the particle itself counted [-]
 };
@@ -35,7 +35,7 @@ struct OtherSums {
     float x, y, z, support, compression, difference2;
 };
 /// Per-particle rates [m/s2], [kg/m3/s].
-struct alignas(16) RateRecord {
+struct alignas(16) PackedRate {
     float ax, ay, az, drho;
 };
 /// What the walls of one body do to one cluster, per unit of particle mass: sum of the accelerations, and of arm x
@@ -54,14 +54,14 @@ struct alignas(16) WallAcceleration {
 };
 /// Exterior unit normal of the nearest wall at a fluid particle (zero when none is near) and the distance from it [m]
 /// (far when none is near), carried along between two searches by the particle's motion along the normal.
-struct alignas(16) WallNormalRecord {
+struct alignas(16) PackedWallNormal {
     float x, y, z, distance;
 };
-inline constexpr WallNormalRecord no_wall{0, 0, 0, 1e30f};
+inline constexpr PackedWallNormal no_wall{0, 0, 0, 1e30f};
 
 /// The velocity past the nearest wall of a particle before or beyond an edge [m/s], zero elsewhere, and when it passes
 /// that edge, from the moment on at which the lists were made [s].
-struct alignas(16) LeavingRecord {
+struct alignas(16) PackedLeaving {
     float u, v, w, passes;
 };
 

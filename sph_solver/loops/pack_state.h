@@ -4,7 +4,7 @@
 #include "sph_solver/fields/field_list.h"
 #include "sph_solver/loops/whole.h"
 #include "sph_solver/neighbours/wide_place.h"
-#include "sph_solver/pair_loops/records.h"
+#include "sph_solver/pair_loops/packed.h"
 
 namespace tw {
 
@@ -18,7 +18,7 @@ struct ToQuanta {
         return {nearest_whole((px - x) * per_metre), nearest_whole((py - y) * per_metre),
                 nearest_whole((pz - z) * per_metre)};
     }
-    PlaceRecord operator()(double px, double py, double pz, float drho) const {
+    PackedPlace operator()(double px, double py, double pz, float drho) const {
         const WidePlace p = wide(px, py, pz);
         return {static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y), static_cast<std::int32_t>(p.z),
                 mass / (rho0 + drho)};
@@ -33,11 +33,11 @@ struct StateView {
 inline StateView state_of(const FieldsView& f) { return {f.x, f.y, f.z, f.u, f.v, f.w, f.drho}; }
 
 /// What the pair loops read of the state.
-struct UpdateRecords {
+struct PackState {
     StateView p;
     ToQuanta to_fixed_point;
-    PlaceRecord* place;
-    VelocityDensityRecord* motion;
+    PackedPlace* place;
+    PackedVelocityDensity* motion;
 
     void operator()(std::size_t i) const {
         place[i] = to_fixed_point(p.x[i], p.y[i], p.z[i], p.drho[i]);
