@@ -96,7 +96,7 @@ BenchResult run_block(std::int64_t particles, double h_over_dp, int threads, dou
     r.share_outside_pairs = 1 - in_pairs / wall;
     WaterView like;
     like.kernel = Kernel(simulation.h(), 3);
-    like.quantum = static_cast<float>(s.dp / (1 << 18));
+    like.unit = static_cast<float>(s.dp / (1 << 18));
     r.share_of_kernel_peak = r.visited_per_particle * double(t.evaluations - before.evaluations) / in_pairs /
                              kernel_peak(passes, like, s.threads);
     return r;

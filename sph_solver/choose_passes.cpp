@@ -30,7 +30,7 @@ using Json = nlohmann::json;
 class Block {
 public:
     explicit Block(const Passes& passes) : passes_(passes) {
-        const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
+        const FixedPoint fixed_point(Vec3::Zero(), dp / (1 << 18));
         const PencilGrid grid({Vec3(0, 0, -floor * dp), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
         std::mt19937 random(1);
         std::uniform_real_distribution<double> jitter(-0.1 * dp, 0.1 * dp);
@@ -64,7 +64,7 @@ public:
                             .stress = stress_.data(),
                             .surface = surface_.data(),
                             .kernel = kernel,
-                            .quantum = static_cast<float>(fixed_point.size)},
+                            .unit = static_cast<float>(fixed_point.size)},
                   .walls = {.list = wall_lists_.view(),
                             .place = wall_place_.data(),
                             .p = wall_p_.data(),

@@ -22,7 +22,7 @@ PencilsOfSize pencils_of(const Level& level, int finer, int steps) {
     s.grid = cut(level.grid(), finer);
     s.blocks = steps > 1 ? s.grid.scaled(2) : s.grid;
     s.steps = steps;
-    const Quanta& fixed_point = level.fixed_point();
+    const FixedPoint& fixed_point = level.fixed_point();
     s.low = fixed_point.wide(level.domain().min), s.high = fixed_point.wide(level.domain().max);
     const double reach = level.kernel().support() + ListLife::skin_over_dp * level.setup().dp;
     s.reach = static_cast<std::int64_t>(reach * fixed_point.per_metre / finer) + 1;

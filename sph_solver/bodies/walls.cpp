@@ -9,7 +9,7 @@
 namespace tw {
 
 Walls::Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-             const PencilGrid& grid, const Quanta& fixed_point, int lanes)
+             const PencilGrid& grid, const FixedPoint& fixed_point, int lanes)
     : bodies_(bodies), two_dimensional_(around.dimensions == 2), loads_(bodies.size()) {
     Box region = around.domain;
     region.min.array() -= kernel_support;
@@ -70,7 +70,7 @@ void Walls::note_motions() {
     for (const auto& body : attached_) body->look();
 }
 
-void Walls::follow(const Quanta& fixed_point) {
+void Walls::follow(const FixedPoint& fixed_point) {
     if (!move()) return;
     note_motions();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -100,7 +100,7 @@ void Walls::feel(const FrameForce& f, const Vec3& gravity) {
     }
 }
 
-void Walls::sort(const PencilGrid& grid, const Quanta& fixed_point, int lanes) {
+void Walls::sort(const PencilGrid& grid, const FixedPoint& fixed_point, int lanes) {
     if (!move()) return;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         if (bodies_[b]->fixed()) continue;
@@ -128,7 +128,7 @@ Dummies Walls::dummies(std::size_t body) const {
     return d;
 }
 
-void Walls::find_neighbours(const Passes& passes, const PencilGrid& grid, const Quanta& fixed_point,
+void Walls::find_neighbours(const Passes& passes, const PencilGrid& grid, const FixedPoint& fixed_point,
                             std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
                             const std::function<bool(int pencil)>& own) {
     std::vector<Source> dummies;

@@ -19,7 +19,7 @@ class Walls {
 public:
     /// `bodies` must outlive this. `kernel_support`: 2h of the level [m]; `lanes`: of its passes.
     Walls(const Bodies& bodies, const Surroundings& around, const LevelSetup& level, double kernel_support,
-          const PencilGrid& grid, const Quanta& fixed_point, int lanes);
+          const PencilGrid& grid, const FixedPoint& fixed_point, int lanes);
 
     bool empty() const { return place_.empty(); }
     std::size_t size() const { return place_.size(); }
@@ -60,9 +60,9 @@ public:
     /// Looks at how the bodies move now.
     void note_motions();
     /// Puts the dummies of bodies that move where those are now, with their velocities and accelerations.
-    void follow(const Quanta& fixed_point);
+    void follow(const FixedPoint& fixed_point);
     /// The same, with the dummies sorted anew; lists are due after it.
-    void sort(const PencilGrid& grid, const Quanta& fixed_point, int lanes);
+    void sort(const PencilGrid& grid, const FixedPoint& fixed_point, int lanes);
     /// Adds gravity - f to the accelerations of the dummies, so that water at rest against them presses as under the
     /// force f of a tank that moves. After `follow`.
     void feel(const FrameForce& f, const Vec3& gravity);
@@ -72,7 +72,7 @@ public:
 
     /// Lists anew: of the level's `clusters`, which are those of the first of its `sources`, among the dummies, and of
     /// the dummies in the `own` pencils among the sources.
-    void find_neighbours(const Passes& passes, const PencilGrid& grid, const Quanta& fixed_point,
+    void find_neighbours(const Passes& passes, const PencilGrid& grid, const FixedPoint& fixed_point,
                          std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
                          const std::function<bool(int pencil)>& own);
     /// Who tells whom of dummies: each is worked out by the rank whose pencil it stands in.

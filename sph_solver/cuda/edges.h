@@ -29,7 +29,7 @@ struct ListMarked {
 struct PlacesToAsk {
     StateView p;
     double ahead;  ///< [s]
-    ToQuanta to_fixed_point;
+    ToFixedPoint to_fixed_point;
     const int* which;
     WidePlace* wide;
 

@@ -45,7 +45,7 @@ struct PutBack {
     ReturnFromMirrors mirrors;
     double top;  ///< [m]
     bool open_top;
-    ToQuanta to_fixed_point;
+    ToFixedPoint to_fixed_point;
     const int* gone;  ///< null: nobody is
     WidePlace* wide;
     std::uint8_t* left;

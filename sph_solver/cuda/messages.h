@@ -57,7 +57,7 @@ struct UnpackMessage {
 /// Where particles are [fixed-point units].
 struct TakeWide {
     StateView p;
-    ToQuanta to_fixed_point;
+    ToFixedPoint to_fixed_point;
     WidePlace* wide;
 
     void operator()(std::size_t i) const { wide[i] = to_fixed_point.wide(p.x[i], p.y[i], p.z[i]); }

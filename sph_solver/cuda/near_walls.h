@@ -39,7 +39,7 @@ struct ListClustersAtWalls {
     Pencils pencils;
     const int* pencil;
     const int *first_load, *at_wall, *before;
-    double origin[3], quantum;
+    double origin[3], unit;
     Cluster* clusters;
     ClusterAtWall* list;
 
@@ -49,7 +49,7 @@ struct ListClustersAtWalls {
         if (!at_wall[n]) return;
         const WidePlace c = pencils.centre(pencil[n]);
         const auto metres = [&](std::int32_t q, std::int64_t near, double from) {
-            return from + quantum * static_cast<double>(near + difference(q, static_cast<std::int32_t>(near)));
+            return from + unit * static_cast<double>(near + difference(q, static_cast<std::int32_t>(near)));
         };
         list[before[n]] = {g, metres(g.x, c.x, origin[0]), metres(g.y, c.y, origin[1]), metres(g.z, c.z, origin[2])};
     }

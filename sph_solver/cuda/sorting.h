@@ -101,7 +101,7 @@ struct FindImages {
     StateView p;
     ImagesNear near;
     const LinkMap* maps;
-    ToQuanta to_fixed_point;
+    ToFixedPoint to_fixed_point;
     const int* first;
     Link* links;
     WidePlace* wide;

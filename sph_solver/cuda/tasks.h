@@ -23,7 +23,7 @@ struct RefreshImages {
     const Link* links;
     const LinkMap* maps;
     std::size_t n;   ///< particles
-    double quantum;  ///< [m]
+    double unit;     ///< a fixed-point unit [m]
     Hydrostatic still;
     Force force;
     PackedPlace* place;
@@ -34,7 +34,7 @@ struct RefreshImages {
         const auto i = static_cast<std::size_t>(links[k].index);
         const LinkMap& map = maps[links[k].map];
         place[n + k] = seen_place(place[i], map);
-        const V3<double> step = step_to_image(place[i], place[n + k], map, quantum);
+        const V3<double> step = step_to_image(place[i], place[n + k], map, unit);
         const HydrostaticLine line = still.line(force(i, step), step);
         motion[n + k] = seen_on(line, motion[i], map);
         if (stress) stress[n + k] = seen_on(line, stress[i], map);

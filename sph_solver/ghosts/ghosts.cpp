@@ -2,7 +2,7 @@
 
 namespace tw {
 
-Ghosts::Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& fixed_point)
+Ghosts::Ghosts(const Surroundings& around, const LevelSetup& level, const FixedPoint& fixed_point)
     : around_(around),
       fixed_point_(fixed_point),
       still_{level.rho0, level.state_equation.c0},

@@ -17,7 +17,7 @@ namespace tw {
 class Ghosts {
 public:
     /// `around` must outlive this.
-    Ghosts(const Surroundings& around, const LevelSetup& level, const Quanta& fixed_point);
+    Ghosts(const Surroundings& around, const LevelSetup& level, const FixedPoint& fixed_point);
 
     /// Which particles have images within `reach` [m] of a plane, in the order of the pencils.
     void find(const Particles& particles, const PencilGrid& grid, double reach);
@@ -48,7 +48,7 @@ private:
     }
 
     const Surroundings& around_;
-    Quanta fixed_point_;
+    FixedPoint fixed_point_;
     Hydrostatic still_;
     LinkMaps maps_;
     std::vector<Link> links_;

@@ -75,9 +75,9 @@ inline PackedPlace seen_place(const PackedPlace& p, const LinkMap& map) {
     return map.place(WidePlace{p.x, p.y, p.z}).packed(p.volume);
 }
 /// From a source to its image, but for the way that a periodic flow repeats after [m].
-inline V3<double> step_to_image(const PackedPlace& from, const PackedPlace& to, const LinkMap& map, double quantum) {
+inline V3<double> step_to_image(const PackedPlace& from, const PackedPlace& to, const LinkMap& map, double unit) {
     const auto along = [&](std::int32_t a, std::int32_t b, bool repeats) {
-        return repeats ? 0 : quantum * difference(b, a);
+        return repeats ? 0 : unit * difference(b, a);
     };
     return {along(from.x, to.x, map.repeats[0]), along(from.y, to.y, map.repeats[1]),
             along(from.z, to.z, map.repeats[2])};

@@ -10,7 +10,7 @@ unsigned on_axis(std::size_t number, std::size_t axis) { return static_cast<unsi
 
 }  // namespace
 
-LinkMaps::LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& fixed_point) {
+LinkMaps::LinkMaps(const Mirrors& mirrors, const Box& domain, const FixedPoint& fixed_point) {
     for (std::size_t n = 0; n < maps_.size(); ++n) {
         LinkMap& m = maps_[n];
         for (std::size_t a = 0; a < 3; ++a) {

@@ -16,7 +16,7 @@ namespace tw {
 /// All maps of a domain, by the numbers that ImagesNear gives.
 class LinkMaps {
 public:
-    LinkMaps(const Mirrors& mirrors, const Box& domain, const Quanta& fixed_point);
+    LinkMaps(const Mirrors& mirrors, const Box& domain, const FixedPoint& fixed_point);
     const LinkMap& operator[](const Link& link) const { return maps_[link.map]; }
     std::span<const LinkMap> all() const { return maps_; }  ///< by Link::map
 

@@ -56,10 +56,9 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     pack_state();
     Arrays& on = *on_;
     const PencilGrid grid = level_.grid.scaled(asking.apart);
-    const double quantum = level_.fixed_point.size;
+    const double unit = level_.fixed_point.size;
     Arrays::Asked& at =
-        on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup.dp, quantum))
-            .first->second;
+        on.asked.try_emplace(asking.apart, *device_, bins_of(grid, asking.apart * level_.setup.dp, unit)).first->second;
     const std::size_t n = at.order.sort(wide.data(), nullptr, nullptr, wide.size());
     at.place.resize(n), at.value.resize(n), at.support.resize(n), at.mean_support.resize(n);
     at.compression.resize(asking.want_compression ? n : 0);
@@ -67,7 +66,7 @@ cuda::FoundAt LevelOnDevice::ask(const cuda::Array<WidePlace>& wide, const Askin
     at.clusters.make(grid, at.order, at.place.data());
     const std::vector<cuda::DeviceSource> giving = note_giving(asking);
     at.lists.build(level_.grid, grid, at.place.data(), at.clusters.pencil(), at.clusters.clusters(), giving,
-                   level_.reaches_of_interpolation() / quantum);
+                   level_.reaches_of_interpolation() / unit);
     InterpolateData d = level_.interpolation();
     d.list = at.lists.view();
     d.at = at.place.data();

@@ -68,7 +68,7 @@ public:
     int dimensions() const { return system_.around.dimensions; }
     const Box& domain() const { return system_.around.domain; }
     const Kernel& kernel() const { return system_.kernel; }
-    const Quanta& fixed_point() const { return system_.fixed_point; }
+    const FixedPoint& fixed_point() const { return system_.fixed_point; }
     const PencilGrid& grid() const { return system_.grid; }
     const Passes& passes() const { return system_.passes; }
     const Walls& walls() const { return system_.walls; }

@@ -88,7 +88,7 @@ std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
         forces_on_dummies_.zeros(step.device, static_cast<std::size_t>(system_.walls.body_end()[body]) - dummies.first);
     step.each(lanes * dummies.clusters.size(), ForceOnDummies{.water = step.water,
                                                               .walls = step.dummies,
-                                                              .quantum = system_.fixed_point.size,
+                                                              .unit = system_.fixed_point.size,
                                                               .own = step.n,
                                                               .first = dummies.first,
                                                               .lists = dummies.water,

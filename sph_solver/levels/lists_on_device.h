@@ -61,8 +61,8 @@ private:
 };
 
 /// Pencils in bins of eight spacings: some 32 particles each.
-inline cuda::Bins bins_of(const Pencils& grid, double dp, double quantum) {
-    const auto height = static_cast<std::int64_t>(8 * dp / quantum);
+inline cuda::Bins bins_of(const Pencils& grid, double dp, double unit) {
+    const auto height = static_cast<std::int64_t>(8 * dp / unit);
     return {grid, height, static_cast<int>(grid.height / height) + 1};
 }
 

@@ -264,7 +264,7 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
                                    .at_wall = on.at_wall.numbers(),
                                    .before = on.at_wall.before(),
                                    .origin = {},
-                                   .quantum = level_.fixed_point.size,
+                                   .unit = level_.fixed_point.size,
                                    .clusters = on.clusters.clusters().data(),
                                    .list = on.clusters_at_walls.data()};
     for (int a = 0; a < 3; ++a) list.origin[a] = level_.fixed_point.origin[a];

@@ -60,7 +60,7 @@ Vec3 LevelOnProcessor::centre_of_cluster(std::size_t k) const {
     const Cluster& g = level_.near.clusters[k];
     const auto i = static_cast<std::size_t>(g.first);
     const Particles& p = level_.particles;
-    const Quanta& q = level_.fixed_point;
+    const FixedPoint& q = level_.fixed_point;
     return {q.metres(g.x, 0, p.x[i]), q.metres(g.y, 1, p.y[i]), q.metres(g.z, 2, p.z[i])};
 }
 

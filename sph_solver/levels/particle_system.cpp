@@ -13,10 +13,10 @@ namespace tw {
 
 namespace {
 
-Quanta fixed_point_of(const Surroundings& around, double dp) {
+FixedPoint fixed_point_of(const Surroundings& around, double dp) {
     Vec3 middle = (around.domain.min + around.domain.max) / 2;
     if (around.dimensions == 2) middle.y() = 0;
-    return Quanta(middle, dp / (1 << 18));
+    return FixedPoint(middle, dp / (1 << 18));
 }
 
 /// The pencils cover the domain, its mirror images and the buffers of the stream.
@@ -86,7 +86,7 @@ WaterView ParticleSystem::water_view() const {
             .surface = r.surface.data(),
             .kind = of_one_kind ? nullptr : particles.kind.data(),
             .kernel = kernel,
-            .quantum = static_cast<float>(fixed_point.size),
+            .unit = static_cast<float>(fixed_point.size),
             .rho0 = static_cast<float>(setup.rho0),
             .inv_mass = static_cast<float>(1 / mass),
             .two_dimensional = around.dimensions == 2};
@@ -173,7 +173,7 @@ InterpolateData ParticleSystem::interpolation() const {
         (setup.rho0 / (setup.state_equation.c0 * setup.state_equation.c0) * around.gravity).cast<float>();
     InterpolateData d;
     d.water.kernel = Kernel(interpolation_h_over_dp * setup.dp, around.dimensions);
-    d.water.quantum = static_cast<float>(fixed_point.size);
+    d.water.unit = static_cast<float>(fixed_point.size);
     d.gx = slope.x(), d.gy = slope.y(), d.gz = slope.z();
     d.water.two_dimensional = around.dimensions == 2;
     return d;

@@ -55,7 +55,7 @@ struct ParticleSystem {
     std::int64_t steps = 0;
     Kernel kernel;
     float given_back;  ///< [m], a of WaterCompleteness
-    Quanta fixed_point;
+    FixedPoint fixed_point;
     PencilGrid grid;
     Particles particles;
     Ghosts ghosts;
@@ -71,7 +71,7 @@ struct ParticleSystem {
         Particles& p = particles;
         return {p.x.data(), p.y.data(), p.z.data(), p.u.data(), p.v.data(), p.w.data(), p.drho.data()};
     }
-    ToQuanta to_fixed_point() const {
+    ToFixedPoint to_fixed_point() const {
         const Vec3& o = fixed_point.origin;
         return {o.x(), o.y(), o.z(), fixed_point.per_metre, static_cast<float>(mass), static_cast<float>(setup.rho0)};
     }

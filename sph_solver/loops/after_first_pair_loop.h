@@ -14,7 +14,7 @@ namespace tw {
 /// Walls are looked after at the end of the step.
 struct AfterFirstPairLoop {
     StateView p;
-    ToQuanta to_fixed_point;
+    ToFixedPoint to_fixed_point;
     const Kind* kind;
     const PackedRate* rate;
     const PackedShiftSupport* shift;

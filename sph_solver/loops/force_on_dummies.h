@@ -18,7 +18,7 @@ namespace tw {
 struct ForceOnDummies {
     WaterView water;
     WallView walls;
-    double quantum;     ///< [m]
+    double unit;        ///< a fixed-point unit [m]
     std::size_t own;    ///< particles; images come after them
     std::size_t first;  ///< of the body's dummies among all
     Lists lists;
@@ -45,7 +45,7 @@ private:
                 if (i >= own) continue;
                 const PackedPlace& of = water.place[i];
                 const V3<double> r =
-                    quantum * V3<std::int32_t>{difference(at.x, of.x), difference(at.y, of.y), difference(at.z, of.z)};
+                    unit * V3<std::int32_t>{difference(at.x, of.x), difference(at.y, of.y), difference(at.z, of.z)};
                 const double r2 = dot(r, r);
                 if (r2 >= support * support) continue;
                 sum += static_cast<double>(of.volume) *

@@ -8,8 +8,8 @@
 
 namespace tw {
 
-/// From places in metres to those that the pair loops see, see Quanta.
-struct ToQuanta {
+/// From places in metres to those that the pair loops see, see FixedPoint.
+struct ToFixedPoint {
     double x, y, z;    ///< origin [m]
     double per_metre;  ///< fixed-point units
     float mass, rho0;  ///< of a particle [kg], [kg/m3]
@@ -35,7 +35,7 @@ inline StateView state_of(const FieldsView& f) { return {f.x, f.y, f.z, f.u, f.v
 /// What the pair loops read of the state.
 struct PackState {
     StateView p;
-    ToQuanta to_fixed_point;
+    ToFixedPoint to_fixed_point;
     PackedPlace* place;
     PackedVelocityDensity* motion;
 

@@ -9,7 +9,7 @@
 
 namespace tw {
 
-PencilGrid::PencilGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes) {
+PencilGrid::PencilGrid(const Box& area, double dp, int dimensions, const FixedPoint& fixed_point, int lanes) {
     constexpr double tallest = 4096;
     const double edge = dimensions == 3 ? std::cbrt(double(lanes)) * dp : std::sqrt(double(lanes)) * dp;
     const auto pencils = [](double length, double each) { return std::max(1.0, std::ceil(length / each)); };
@@ -213,7 +213,7 @@ private:
 
 }  // namespace
 
-void NeighbourLists::build(const Passes& pass, const Quanta& fixed_point, const Source& targets,
+void NeighbourLists::build(const Passes& pass, const FixedPoint& fixed_point, const Source& targets,
                            std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
                            ListRef Cluster::*list) {
     constexpr std::size_t per_chunk = 32;

@@ -20,12 +20,12 @@ namespace tw {
 ///
 /// Levels of different spacing have the same origin and fixed-point units that are powers of two of one another, so
 /// that a place goes from one level to the next by a shift.
-struct Quanta {
+struct FixedPoint {
     Vec3 origin = Vec3::Zero();
     double size = 1;       ///< [m]
     double per_metre = 1;  ///< 1 / size
-    Quanta() = default;
-    Quanta(const Vec3& at, double metres) : origin(at), size(metres), per_metre(1 / metres) {}
+    FixedPoint() = default;
+    FixedPoint(const Vec3& at, double metres) : origin(at), size(metres), per_metre(1 / metres) {}
     std::int64_t wide(double x, int axis) const { return std::llrint((x - origin[axis]) * per_metre); }
     WidePlace wide(const Vec3& x) const { return {wide(x.x(), 0), wide(x.y(), 1), wide(x.z(), 2)}; }
     std::int32_t of(double x, int axis) const { return static_cast<std::int32_t>(wide(x, axis)); }
@@ -41,7 +41,7 @@ struct PencilGrid : Pencils {
     PencilGrid() = default;
     /// `area`: the box to cover [m]. Pencils are as wide as a cube of `lanes` particles (in 2-D: a square). Throws
     /// InputError where there would be more than 10^9 of them.
-    PencilGrid(const Box& area, double dp, int dimensions, const Quanta& fixed_point, int lanes);
+    PencilGrid(const Box& area, double dp, int dimensions, const FixedPoint& fixed_point, int lanes);
     /// The same box in pencils `factor` times as wide.
     PencilGrid scaled(double factor) const;
 };
@@ -77,8 +77,9 @@ class NeighbourLists {
 public:
     /// For every cluster, as its `list`, source by source, the indices of all source places within `reaches` [m]. The
     /// clusters are those of `targets`.
-    void build(const Passes& passes, const Quanta& fixed_point, const Source& targets, std::vector<Cluster>& clusters,
-               const std::vector<Source>& sources, const Reaches& reaches, ListRef Cluster::*list = &Cluster::list);
+    void build(const Passes& passes, const FixedPoint& fixed_point, const Source& targets,
+               std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
+               ListRef Cluster::*list = &Cluster::list);
     /// Good until the lists are built anew or moved.
     Lists view() const { return {starts_.data()}; }
     const std::vector<std::vector<NeighbourBlock>>& chunks() const { return chunks_; }

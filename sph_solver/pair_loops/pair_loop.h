@@ -111,7 +111,7 @@ struct Meeting {
 /// depend on the compiler's mood.
 template <class PairLoop, class Data>
 [[gnu::flatten]] void run(const Data& d, const Cluster* clusters, int count) {
-    const Frame frame = frame_of(d.water.kernel, d.water.quantum);
+    const Frame frame = frame_of(d.water.kernel, d.water.unit);
     const Meeting meeting(d);
     for (int n = first_cluster(); n < count; n = next_cluster(n)) {
         const Cluster& g = clusters[n];

@@ -11,10 +11,10 @@ namespace {
 
 /// Lengths in 2h, and volumes as G V, see Kernel.
 struct Frame {
-    float length;  ///< per quantum
+    float length;  ///< per fixed-point unit [1/(2h)]
     float volume;  ///< per m3
 };
-inline Frame frame_of(const Kernel& kernel, float quantum) { return {quantum * kernel.inv_support, kernel.G}; }
+inline Frame frame_of(const Kernel& kernel, float unit) { return {unit * kernel.inv_support, kernel.G}; }
 
 /// The particle in a lane; lanes beyond the cluster's size repeat the last one.
 inline int in_lane(const Cluster& g, int l) { return g.first + (l < g.size ? l : g.size - 1); }

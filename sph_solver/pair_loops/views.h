@@ -23,7 +23,7 @@ struct WaterView {
     /// of them are and do.
     const Kind* kind = nullptr;
     Kernel kernel{};
-    float quantum = 1;  ///< [m]
+    float unit = 1;  ///< a fixed-point unit [m]
     float rho0 = 1000;
     float inv_mass = 1;  ///< of a particle [1/kg]
     bool two_dimensional = false;

@@ -92,7 +92,7 @@ struct Sums {
 Sums sums_with(const Passes& passes) {
     constexpr double dp = 0.1, h = 1.5 * dp;
     constexpr int edge = 10;
-    const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
+    const FixedPoint fixed_point(Vec3::Zero(), dp / (1 << 18));
     const PencilGrid grid({Vec3::Zero(), Vec3::Constant(edge * dp)}, dp, 3, fixed_point, passes.lanes);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> jitter(-0.2 * dp, 0.2 * dp);
@@ -128,7 +128,7 @@ Sums sums_with(const Passes& passes) {
                           .stress = stress.data(),
                           .surface = surface.data(),
                           .kernel = Kernel(h, 3),
-                          .quantum = static_cast<float>(fixed_point.size),
+                          .unit = static_cast<float>(fixed_point.size),
                           .inv_mass = static_cast<float>(1 / (1000 * dp * dp * dp))};
     FirstPairLoopData first{.water = water, .stress = stress.data(), .shift = shift.data(), .rate = rate.data()};
     first.inv_W_dp = static_cast<float>(1 / water.kernel.W(dp));

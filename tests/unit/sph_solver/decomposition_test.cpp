@@ -12,7 +12,7 @@ namespace tw {
 namespace decomposition_test {
 
 const double dp = 0.1;
-const Quanta fixed_point(Vec3(2, 1, 0), dp / (1 << 18));
+const FixedPoint fixed_point(Vec3(2, 1, 0), dp / (1 << 18));
 const Box domain{Vec3(0, 0, 0), Vec3(4, 2, 1)};
 
 PencilGrid grid_over_domain() {

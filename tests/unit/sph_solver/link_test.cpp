@@ -7,7 +7,7 @@ namespace tw {
 namespace link_test {
 
 const Box box{Vec3(-1, 0, -1), Vec3(1, 1, 1)};
-const Quanta fixed_point(Vec3::Zero(), 1e-6);
+const FixedPoint fixed_point(Vec3::Zero(), 1e-6);
 
 /// The map by which a particle at `x`, near the planes or faces `mirrors` alone, has its only image.
 LinkMap map_at(const Vec3& x, const Mirrors& mirrors) {
@@ -106,7 +106,7 @@ TEST(Ghosts, AreRefreshedByEachQuantitysLaw) {
     level.dp = 0.05;
     level.rho0 = 1000;
     level.state_equation.c0 = 20;
-    const Quanta fine(Vec3::Zero(), level.dp / (1 << 18));
+    const FixedPoint fine(Vec3::Zero(), level.dp / (1 << 18));
     Ghosts ghosts(around, level, fine);
     Particles p;
     p.add(0, 0.5, -0.95, 0, 0, 0, Kind::fluid);

@@ -13,7 +13,7 @@ namespace lists_test {
 /// A cloud without any order, sorted and cut into clusters as the solver does: some pencils tall, some empty.
 struct Cloud {
     double dp = 0.1;
-    Quanta fixed_point{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
+    FixedPoint fixed_point{Vec3(0.3, 0.2, 0.5), 0.1 / (1 << 18)};
     PencilGrid grid{Box{Vec3(0.2, 0.2, 0), Vec3(1.1, 0.8, 1.5)}, 0.1, 3, fixed_point,
                     passes().lanes};  // smaller than the cloud
     std::vector<PackedPlace> places;

@@ -18,7 +18,7 @@ constexpr int rows = 4, period = 100;
 
 struct Row {
     int length;
-    Quanta fixed_point{Vec3(2, 0, 2), dp / one_dp};
+    FixedPoint fixed_point{Vec3(2, 0, 2), dp / one_dp};
     std::vector<WidePlace> raw;  ///< particle k * rows + m: k along the row, m across
     std::vector<PackedPlace> place;
     std::vector<std::int32_t> order, start;
@@ -62,7 +62,7 @@ struct Row {
                                       .place = place.data(),
                                       .motion = motion.data(),
                                       .kernel = Kernel(h, 2),
-                                      .quantum = static_cast<float>(fixed_point.size),
+                                      .unit = static_cast<float>(fixed_point.size),
                                       .two_dimensional = true},
                             .stress = stress.data(),
                             .shift = shift.data(),
@@ -122,15 +122,15 @@ TEST(LongDomain, OfThirtyThousandSpacingsHasTheListsFoundByHandAndTheSameRatesEv
     }
 }
 
-TEST(LongDomain, PlacesComeBackFromTheirQuanta) {
-    const Quanta fixed_point(Vec3(1, 2, 3), dp / one_dp);
+TEST(LongDomain, PlacesComeBackFromTheirFixedPoint) {
+    const FixedPoint fixed_point(Vec3(1, 2, 3), dp / one_dp);
     for (const double x : {-2000.3, 1.0, 17.77, 1500.5, 2999.9})
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_NEAR(fixed_point.metres(fixed_point.of(x, axis), axis, x + 5), x, fixed_point.size);
 }
 
-TEST(LevelQuanta, APlaceOfACoarseLevelIsOneOfAFinerLevelByAShift) {
-    const Quanta coarse(Vec3(1, 2, 3), dp / one_dp), fine(Vec3(1, 2, 3), dp / 4 / one_dp);
+TEST(FixedPointOfLevels, APlaceOfACoarseLevelIsOneOfAFinerLevelByAShift) {
+    const FixedPoint coarse(Vec3(1, 2, 3), dp / one_dp), fine(Vec3(1, 2, 3), dp / 4 / one_dp);
     const std::int64_t q = 123456789;
     EXPECT_EQ(fine.wide(1 + static_cast<double>(q) * coarse.size, 0), q << 2);
 }

@@ -22,7 +22,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 struct Basin {
     enum Bodies { floor_alone, plate_alone, both };
 
-    Quanta fixed_point{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
+    FixedPoint fixed_point{Vec3(0.3, 0.3, 0.3), dp / (1 << 18)};
     PencilGrid grid{Box{Vec3::Constant(-0.4), Vec3::Constant(1.2)}, dp, 3, fixed_point, passes().lanes};
     std::vector<PackedPlace> place, wall_place;
     std::vector<std::int32_t> start, wall_start[2], body_end;
@@ -88,7 +88,7 @@ struct Basin {
                        .stress = stress.data(),
                        .surface = surface.data(),
                        .kernel = Kernel(h, 3),
-                       .quantum = static_cast<float>(fixed_point.size),
+                       .unit = static_cast<float>(fixed_point.size),
                        .rho0 = rho0,
                        .inv_mass = static_cast<float>(1 / (rho0 * dp * dp * dp))};
         first.walls = {.list = wall_lists.view(),

@@ -54,7 +54,7 @@ struct PairLoop {
 template <class Field>
 PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f) {
     const double h = h_over_dp * dp;
-    const Quanta fixed_point(Vec3::Zero(), dp / (1 << 18));
+    const FixedPoint fixed_point(Vec3::Zero(), dp / (1 << 18));
     const Box area{Vec3(-dp, -dp, -dp), Vec3::Constant(n * dp + dp)};
     const PencilGrid grid(area, dp, 2, fixed_point, passes().lanes);
     const Kernel kernel(h, 2);
@@ -83,7 +83,7 @@ PairLoop pair_loop(const std::vector<Vec3>& unsorted, double h_over_dp, Field f)
                                         .place = sorted.data(),
                                         .motion = motion.data(),
                                         .kernel = kernel,
-                                        .quantum = static_cast<float>(fixed_point.size),
+                                        .unit = static_cast<float>(fixed_point.size),
                                         .two_dimensional = true},
                               .stress = r.stress.data(),
                               .shift = r.shift.data(),
