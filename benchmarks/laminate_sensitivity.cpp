@@ -40,10 +40,10 @@ constexpr int middle = 6 * (20 * 41 + 20) + 2;  // deflection of the centre
 
 Answers answers(const Assumed& a) {
     const Shell plate = plate_of(a);
-    Freedoms freedoms(plate.mesh().nodes, 6);
-    freedoms.clamp(plate.mesh().sets.at("edges"));
-    const SparseMatrix T = freedoms.basis(), K = T.transpose() * plate.stiffness() * T,
-                       M = T.transpose() * freedoms.mass(plate.mass()) * T;
+    DegreesOfFreedom dofs(plate.mesh().nodes, 6);
+    dofs.clamp(plate.mesh().sets.at("edges"));
+    const SparseMatrix T = dofs.basis(), K = T.transpose() * plate.stiffness() * T,
+                       M = T.transpose() * dofs.mass(plate.mass()) * T;
     const Eigen::VectorXd load = plate.pressure_load(Eigen::VectorXd::Constant(1600, -1e4));
     const Eigen::VectorXd u = T * Eigen::SimplicialLDLT<SparseMatrix>(K).solve(T.transpose() * load);
     return {lowest_modes(K, M, 1).omega[0] / (2 * std::numbers::pi), u[middle], gauge_of(plate).strain(u)};
@@ -53,11 +53,11 @@ void print_large_rotations() {
     const Shell plate = plate_of({});
     const Corotational turning(plate);
     const GaugeReader gauge = gauge_of(plate);
-    Freedoms freedoms(plate.mesh().nodes, 6);
-    freedoms.clamp(plate.mesh().sets.at("edges"));
-    const SparseMatrix T = freedoms.basis(), K = T.transpose() * plate.stiffness() * T;
+    DegreesOfFreedom dofs(plate.mesh().nodes, 6);
+    dofs.clamp(plate.mesh().sets.at("edges"));
+    const SparseMatrix T = dofs.basis(), K = T.transpose() * plate.stiffness() * T;
     const Eigen::SimplicialLDLT<SparseMatrix> linear(K);
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(plate.freedoms());
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(plate.dofs());
     for (const double p : {100.0, 300.0, 1000.0, 3000.0, 10000.0}) {
         const Eigen::VectorXd load = plate.pressure_load(Eigen::VectorXd::Constant(1600, -p));
         const Eigen::VectorXd small = T * linear.solve(T.transpose() * load);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/shell_history.h"
 
 namespace tw {
@@ -108,7 +108,7 @@ void add_one_way_strains(const Scene& scene, RunRecord& record) {
         const structure::PressureHistory history = pressures_of(found->second, start.end);
         if (history.time.size() < 2) continue;
         const structure::Shell shell = shell_of(plate, plate.strip());
-        const structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
+        const structure::DegreesOfFreedom dofs = dofs_of(plate, shell, plate.strip());
         const double period = plate.first_period();
         std::vector<structure::Gauge> gauges;
         std::vector<Vec3> points;
@@ -118,7 +118,7 @@ void add_one_way_strains(const Scene& scene, RunRecord& record) {
             else
                 points.push_back(g.position);
         const structure::ShellHistory answer =
-            structure::shell_history(shell, freedoms, history, gauges, points,
+            structure::shell_history(shell, dofs, history, gauges, points,
                                      {.velocity = start.velocity.value_or(plate.velocity),
                                       .gravity = Vec3(0, 0, -scene.water.gravity),
                                       .damping = plate.damping,

@@ -38,7 +38,7 @@ Surface moved(const Surface& surface, const Vec3& centre, double turn, double ri
 }  // namespace
 
 std::optional<FloatingAttitude> floating_attitude(const Surface& surface, double volume, const Vec3& centre,
-                                                  const Freedoms& free) {
+                                                  const DegreesOfFreedom& free) {
     if (!free.along[2]) return FloatingAttitude{};
     const double length = surface.bounds().size().maxCoeff(), within = 1e-9 * length;
     const auto rise_at = [&](double turn) {

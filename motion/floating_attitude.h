@@ -17,6 +17,6 @@ struct FloatingAttitude {
 /// centre of mass. Nothing where it sinks, or does not float within 20 degrees of where it stands. Without free heave
 /// there is nothing to balance: no motion.
 std::optional<FloatingAttitude> floating_attitude(const Surface& surface, double volume, const Vec3& centre,
-                                                  const Freedoms& free);
+                                                  const DegreesOfFreedom& free);
 
 }  // namespace tw

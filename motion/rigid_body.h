@@ -9,7 +9,7 @@
 namespace tw {
 
 /// Which of a free body's motions are free: along and about the earth's axes x, y, z.
-struct Freedoms {
+struct DegreesOfFreedom {
     std::array<bool, 3> along{true, true, true}, about{true, true, true};
     bool any() const { return along[0] || along[1] || along[2] || about[0] || about[1] || about[2]; }
 };
@@ -17,7 +17,7 @@ struct Freedoms {
 /// What a rigid body is made from: a free one moves by its loads, one with a law is moved.
 struct RigidBodySetup {
     RigidMass mass;                ///< at the start; of a prescribed body the centre alone counts
-    Freedoms free;                 ///< of a body without a law
+    DegreesOfFreedom free;         ///< of a body without a law
     std::optional<MotionLaw> law;  ///< prescribed motion
     Vec3 velocity = Vec3::Zero();  ///< of the centre at the start [m/s]; free bodies
     Vec3 spin = Vec3::Zero();      ///< angular velocity at the start [rad/s]; free bodies
@@ -46,7 +46,7 @@ public:
 
     bool prescribed() const { return setup_.law.has_value(); }
     const RigidMass& mass() const { return setup_.mass; }
-    const Freedoms& freedoms() const { return setup_.free; }
+    const DegreesOfFreedom& dofs() const { return setup_.free; }
     const std::optional<MotionLaw>& law() const { return setup_.law; }
     /// Not released yet: loads do not act on it and it stays.
     bool held() const { return state_.time < setup_.release; }

@@ -163,7 +163,7 @@ std::string tyre_text(const MovingBody& b) {
         "  time      explicit, the water's steps cut into sub-steps below {:.3g} s, the elements' limit\n"
         "  floor     met without friction; 1 MPa presses the rubber {:.3g} mm into it\n",
         solid.elements().size(), t.pressure, 1000 * height, 1000 * t.shape.outer_diameter, t.total_mass,
-        place(t.velocity), solid.explicit_step(Eigen::VectorXd::Zero(solid.freedoms())), 1000 * t.contact_depth);
+        place(t.velocity), solid.explicit_step(Eigen::VectorXd::Zero(solid.dofs())), 1000 * t.contact_depth);
     return out + findings_text(b.findings);
 }
 

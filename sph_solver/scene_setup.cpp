@@ -95,11 +95,11 @@ std::optional<WallContact> wall_contact(const MovingBody& body, const Scene& sce
 
 ElasticSetup elastic_setup(const ElasticPlate& plate) {
     structure::Shell shell = shell_of(plate, plate.strip());
-    structure::Freedoms freedoms = freedoms_of(plate, shell, plate.strip());
+    structure::DegreesOfFreedom dofs = dofs_of(plate, shell, plate.strip());
     ElasticSetup s{
         .structure =
             ElasticShell{.shell = std::move(shell), .skin = plate.skin, .large_rotations = plate.large_rotations},
-        .freedoms = std::move(freedoms)};
+        .dofs = std::move(dofs)};
     s.width = plate.two_dimensional() ? plate.strip() : 0;
     s.coupling = {.interface = interface_of(plate), .iterations = plate.coupling_iterations};
     s.damping = plate.damping;
@@ -117,14 +117,14 @@ ElasticSetup elastic_setup(const ElasticPlate& plate) {
 /// a narrower gap (decision 038).
 ElasticSetup elastic_setup(const ElasticTyre& tyre, double floor) {
     structure::Solid solid = solid_of(tyre);
-    structure::Freedoms freedoms = freedoms_of(tyre, solid);
+    structure::DegreesOfFreedom dofs = dofs_of(tyre, solid);
     ElasticSetup s{.structure = ElasticSolid{.solid = std::move(solid),
                                              .wet = "outside",
                                              .start = structure::blown_up(tyre.shape, tyre.rubbers(), tyre.pressure),
                                              .pressed = "inside",
                                              .pressure = tyre.pressure,
                                              .floor = FloorContact{floor, tyre.contact_stiffness()}},
-                   .freedoms = std::move(freedoms)};
+                   .dofs = std::move(dofs)};
     s.damping = tyre.damping;
     s.largest_step = tyre.largest_step;
     s.velocity = tyre.velocity;

@@ -40,10 +40,10 @@ Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count) {
     throw RunError("the modes of the structure did not converge in 200 iterations");
 }
 
-double first_period(const Shell& shell, const Freedoms& freedoms) {
-    const SparseMatrix basis = freedoms.basis();
-    const SparseMatrix K = basis.transpose() * freedoms.widened(shell.stiffness()) * basis,
-                       M = basis.transpose() * freedoms.mass(shell.mass()) * basis;
+double first_period(const Shell& shell, const DegreesOfFreedom& dofs) {
+    const SparseMatrix basis = dofs.basis();
+    const SparseMatrix K = basis.transpose() * dofs.widened(shell.stiffness()) * basis,
+                       M = basis.transpose() * dofs.mass(shell.mass()) * basis;
     constexpr int rigid = 6;  // motions at most, and one mode more
     const Modes modes = lowest_modes(K, M, std::min(rigid + 1, static_cast<int>(K.rows())));
     const double highest = modes.omega.maxCoeff();

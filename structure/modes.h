@@ -1,5 +1,5 @@
 #pragma once
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 
 namespace tw::structure {
 class Shell;
@@ -14,6 +14,6 @@ struct Modes {
 Modes lowest_modes(const SparseMatrix& K, const SparseMatrix& M, int count);
 
 /// Period of the lowest mode of a shell that strains it, with what holds and carries it, in vacuum [s].
-double first_period(const Shell& shell, const Freedoms& freedoms);
+double first_period(const Shell& shell, const DegreesOfFreedom& dofs);
 
 }  // namespace tw::structure

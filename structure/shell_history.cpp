@@ -17,23 +17,23 @@ using Eigen::VectorXd;
 /// One shell and all that acts on it.
 struct Case {
     const Shell& shell;
-    const Freedoms& freedoms;
+    const DegreesOfFreedom& dofs;
     const PressureHistory& pressure;
     const std::vector<GaugeReader>& gauges;
     const std::vector<ShellPlace>& points;
     const ShellConditions& conditions;
 
     VectorXd load(double t, const SparseMatrix& mass, const VectorXd& v) const {
-        VectorXd f = freedoms.widened(VectorXd(shell.pressure_load(pressure.at(t))));
-        f += mass * freedoms.translation(conditions.gravity);
+        VectorXd f = dofs.widened(VectorXd(shell.pressure_load(pressure.at(t))));
+        f += mass * dofs.translation(conditions.gravity);
         if (conditions.damping > 0) f -= conditions.damping * (mass * v);
         return f;
     }
 
-    /// `strain`: of a gauge by the displacements of all freedoms.
+    /// `strain`: of a gauge by the displacements of all degrees of freedom.
     template <class Integrator, class Strain>
     ShellHistory follow(Integrator& time, double dt, Strain strain) const {
-        const SparseMatrix mass = freedoms.mass(shell.mass()), basis = freedoms.basis();
+        const SparseMatrix mass = dofs.mass(shell.mass()), basis = dofs.basis();
         ShellHistory out;
         out.strains.resize(gauges.size());
         out.displacements.resize(points.size());
@@ -56,18 +56,18 @@ struct Case {
     }
 
     ShellHistory in_steps(double dt) const {
-        const SparseMatrix mass = freedoms.mass(shell.mass());
-        const VectorXd v = freedoms.translation(conditions.velocity), first = load(pressure.time.front(), mass, v);
+        const SparseMatrix mass = dofs.mass(shell.mass());
+        const VectorXd v = dofs.translation(conditions.velocity), first = load(pressure.time.front(), mass, v);
         if (conditions.large_rotations) {
-            NonlinearAlpha time(shell, freedoms, dt);
+            NonlinearAlpha time(shell, dofs, dt);
             time.start(v, first);
             const Corotational elastic(shell);
             return follow(time, dt, [&](const GaugeReader& gauge, const VectorXd& u) {
-                return gauge.strain(elastic.deformation(u.head(shell.freedoms()), gauge.element()));
+                return gauge.strain(elastic.deformation(u.head(shell.dofs()), gauge.element()));
             });
         }
-        GeneralisedAlpha time(freedoms.widened(shell.stiffness()), mass, freedoms.basis(), dt);
-        time.start(VectorXd::Zero(freedoms.all()), v, first);
+        GeneralisedAlpha time(dofs.widened(shell.stiffness()), mass, dofs.basis(), dt);
+        time.start(VectorXd::Zero(dofs.all()), v, first);
         return follow(time, dt, [](const GaugeReader& gauge, const VectorXd& u) { return gauge.strain(u); });
     }
 };
@@ -88,7 +88,7 @@ double PressureHistory::longest_gap() const {
     return longest;
 }
 
-ShellHistory shell_history(const Shell& shell, const Freedoms& freedoms, const PressureHistory& pressure,
+ShellHistory shell_history(const Shell& shell, const DegreesOfFreedom& dofs, const PressureHistory& pressure,
                            const std::vector<Gauge>& gauges, const std::vector<Vec3>& points,
                            const ShellConditions& conditions) {
     constexpr int most = 64;
@@ -106,7 +106,7 @@ ShellHistory shell_history(const Shell& shell, const Freedoms& freedoms, const P
     for (const Gauge& gauge : gauges) readers.emplace_back(shell, gauge);
     std::vector<ShellPlace> places;
     for (const Vec3& point : points) places.push_back(nearest_place(shell, point));
-    const Case of{shell, freedoms, pressure, readers, places, conditions};
+    const Case of{shell, dofs, pressure, readers, places, conditions};
     for (int parts = 1;; parts *= 2) try {
             return of.in_steps(conditions.step / parts);
         } catch (const RunError&) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/shell/gauge.h"
 #include "structure/shell/shell.h"
 
@@ -33,10 +33,10 @@ struct ShellHistory {
 };
 
 /// The shell under a pressure that does not feel how it moves, from the history's first time to its last, along the
-/// normals of the reference state. A step that does not balance at large rotations makes all of them half as long, 64 times as
-/// short at most. Throws InputError for a history without times or of another number of elements, for a step that is
-/// not positive and for a gauge that is not on the shell; RunError where the shortest steps do not balance.
-ShellHistory shell_history(const Shell& shell, const Freedoms& freedoms, const PressureHistory& pressure,
+/// normals of the reference state. A step that does not balance at large rotations makes all of them half as long, 64
+/// times as short at most. Throws InputError for a history without times or of another number of elements, for a step
+/// that is not positive and for a gauge that is not on the shell; RunError where the shortest steps do not balance.
+ShellHistory shell_history(const Shell& shell, const DegreesOfFreedom& dofs, const PressureHistory& pressure,
                            const std::vector<Gauge>& gauges, const std::vector<Vec3>& points,
                            const ShellConditions& conditions);
 

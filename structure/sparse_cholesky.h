@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 
 namespace tw::structure {
 

@@ -43,7 +43,7 @@ std::vector<Eigen::Vector2d> blown_up_section(const Tyre& tyre, const std::vecto
     constexpr int parts = 8;  // of the pressure
     const Solid s(tyre_sector(tyre, 1, 0), rubbers);
     const SparseMatrix basis = alike_all_round(s.mesh(), 2 * std::numbers::pi / tyre.around);
-    VectorXd u = VectorXd::Zero(s.freedoms());
+    VectorXd u = VectorXd::Zero(s.dofs());
     for (int part = 1; part <= parts; ++part) {
         const double p = pressure * part / parts;
         u = equilibrium(
@@ -53,7 +53,7 @@ std::vector<Eigen::Vector2d> blown_up_section(const Tyre& tyre, const std::vecto
             1e-7);
     }
     std::vector<Eigen::Vector2d> section;
-    for (int n = 0; 3 * n < s.freedoms(); n += 2) section.emplace_back(u[3 * n], u[3 * n + 1]);
+    for (int n = 0; 3 * n < s.dofs(); n += 2) section.emplace_back(u[3 * n], u[3 * n + 1]);
     return section;
 }
 
@@ -81,12 +81,12 @@ std::vector<Pressed> press(const Tyre& tyre, const std::vector<Hyperelastic>& ru
     const double bottom = -std::numbers::pi / 2;
     const Solid s(tyre_sector(tyre, cells, bottom), rubbers);
     VectorXd u = turned(blown_up_section(tyre, rubbers, pressure), cells + 1, bottom, std::numbers::pi / cells);
-    Freedoms freedoms(s.mesh().nodes, 3);
-    freedoms.clamp(s.mesh().sets.at("rim"));
-    for (const char* cut : {"begin", "end"}) freedoms.hold(s.mesh().sets.at(cut), {0});
-    const SparseMatrix basis = freedoms.basis();
+    DegreesOfFreedom dofs(s.mesh().nodes, 3);
+    dofs.clamp(s.mesh().sets.at("rim"));
+    for (const char* cut : {"begin", "end"}) dofs.hold(s.mesh().sets.at(cut), {0});
+    const SparseMatrix basis = dofs.basis();
     double lowest = 0;
-    for (int n = 0; 3 * n < s.freedoms(); ++n)
+    for (int n = 0; 3 * n < s.dofs(); ++n)
         lowest = std::min(lowest, s.mesh().nodes[static_cast<std::size_t>(n)].z() + u[3 * n + 2]);
     PlaneContact plane(s, "outside", lowest, contact_stiffness);
     std::vector<Pressed> out;
@@ -102,7 +102,7 @@ std::vector<Pressed> press(const Tyre& tyre, const std::vector<Hyperelastic>& ru
                         1e-5);
         Pressed p{deflection, 2 * plane.total(u), 0};
         const VectorXd on = plane.force(u);
-        for (int n = 0; 3 * n < s.freedoms(); ++n)
+        for (int n = 0; 3 * n < s.dofs(); ++n)
             if (on[3 * n + 2] > 0)
                 p.patch = std::max(p.patch, 2 * std::abs(s.mesh().nodes[static_cast<std::size_t>(n)].x() + u[3 * n]));
         out.push_back(p);

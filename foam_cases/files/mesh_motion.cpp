@@ -19,7 +19,7 @@ Value tensor(const Eigen::Matrix3d& m) {
 }
 
 /// Motions that are locked. OpenFOAM's line, plane, point and axis are through the centre of mass.
-Dictionary constraints(const Freedoms& free) {
+Dictionary constraints(const DegreesOfFreedom& free) {
     Dictionary all;
     const auto count = [](const std::array<bool, 3>& f) { return f[0] + f[1] + f[2]; };
     const auto axis_where = [](const std::array<bool, 3>& f, bool value) {

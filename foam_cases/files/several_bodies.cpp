@@ -8,7 +8,7 @@ namespace tw {
 namespace {
 
 /// The degrees of freedom of a body as joints, one behind the other: along the earth's axes, then about z, y and x.
-List joints_of(const Freedoms& free) {
+List joints_of(const DegreesOfFreedom& free) {
     List joints;
     const auto add = [&](const std::string& type) { joints.push_back(Dictionary{{"type", Word(type)}}); };
     for (std::size_t a = 0; a < 3; ++a)
@@ -20,7 +20,7 @@ List joints_of(const Freedoms& free) {
 
 /// Values of a vector along and of one about the earth's axes, in the order of the joints; at the start the axes of the
 /// joints are the earth's.
-void append_by_joint(List& values, const Freedoms& free, const Vec3& along, const Vec3& about) {
+void append_by_joint(List& values, const DegreesOfFreedom& free, const Vec3& along, const Vec3& about) {
     for (int a = 0; a < 3; ++a)
         if (free.along[static_cast<std::size_t>(a)]) values.push_back(along[a]);
     for (const int a : {2, 1, 0})

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "base/errors.h"
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/generate.h"
 #include "structure/modes.h"
 #include "structure/shell/shell.h"
@@ -108,7 +108,7 @@ double ElasticPlate::first_period() const {
     ElasticPlate held = *this;  // a frame's own motions strain nothing
     if (!carried.empty()) held.locked.fill(true);
     const structure::Shell shell = shell_of(held, strip());
-    return structure::first_period(shell, freedoms_of(held, shell, strip()));
+    return structure::first_period(shell, dofs_of(held, shell, strip()));
 }
 
 structure::Shell shell_of(const ElasticPlate& plate, double width) {
@@ -125,9 +125,9 @@ structure::Shell shell_of(const ElasticPlate& plate, double width) {
     return structure::Shell(std::move(mesh), structure::Laminate(plate.plies), plate.turned(Vec3::UnitX()));
 }
 
-structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shell& shell, double width) {
+structure::DegreesOfFreedom dofs_of(const ElasticPlate& plate, const structure::Shell& shell, double width) {
     const structure::ShellMesh& mesh = shell.mesh();
-    structure::Freedoms freedoms(mesh.nodes, 6);
+    structure::DegreesOfFreedom dofs(mesh.nodes, 6);
     const std::vector<bool> clamped = supported(plate, plate.clamped, mesh, width),
                             carried = supported(plate, plate.carried, mesh, width),
                             hinged = supported(plate, plate.hinged, mesh, width);
@@ -138,14 +138,14 @@ structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shel
         const auto k = static_cast<std::size_t>(n);
         own += shell.mass()[6 * n];
         if (clamped[k])
-            freedoms.clamp(node);
+            dofs.clamp(node);
         else if (carried[k])
             frame.nodes.push_back(n);
         else if (hinged[k])
-            freedoms.hinge(node);
-        if (plate.two_dimensional()) freedoms.hold(node, {1, 3, 5});
+            dofs.hinge(node);
+        if (plate.two_dimensional()) dofs.hold(node, {1, 3, 5});
     }
-    if (frame.nodes.empty()) return freedoms;
+    if (frame.nodes.empty()) return dofs;
     frame.mass = width * plate.total_mass - own;
     if (!(frame.mass > 0))
         throw InputError(
@@ -161,8 +161,8 @@ structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shel
     }
     frame.held = plate.locked;
     if (plate.two_dimensional()) frame.held[1] = frame.held[3] = frame.held[5] = true;
-    freedoms.carry(std::move(frame));
-    return freedoms;
+    dofs.carry(std::move(frame));
+    return dofs;
 }
 
 }  // namespace tw

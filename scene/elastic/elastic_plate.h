@@ -11,7 +11,7 @@
 
 namespace tw {
 namespace structure {
-class Freedoms;
+class DegreesOfFreedom;
 class Shell;
 }  // namespace structure
 
@@ -68,6 +68,6 @@ struct ElasticPlate {
 /// structure/shell.
 structure::Shell shell_of(const ElasticPlate& plate, double width);
 /// What supports and frame leave it; `width` as above. Throws InputError where a frame is lighter than nothing.
-structure::Freedoms freedoms_of(const ElasticPlate& plate, const structure::Shell& shell, double width);
+structure::DegreesOfFreedom dofs_of(const ElasticPlate& plate, const structure::Shell& shell, double width);
 
 }  // namespace tw

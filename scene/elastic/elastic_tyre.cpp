@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/solid/solid.h"
 
 namespace tw {
@@ -14,9 +14,9 @@ structure::Solid solid_of(const ElasticTyre& tyre) {
     return structure::Solid(std::move(mesh), tyre.rubbers());
 }
 
-structure::Freedoms freedoms_of(const ElasticTyre& tyre, const structure::Solid& solid) {
+structure::DegreesOfFreedom dofs_of(const ElasticTyre& tyre, const structure::Solid& solid) {
     double own = 0;
-    for (int n = 0; 3 * n < solid.freedoms(); ++n) own += solid.mass()[3 * n];
+    for (int n = 0; 3 * n < solid.dofs(); ++n) own += solid.mass()[3 * n];
     structure::RigidPart rim;
     rim.centre = tyre.axle;
     rim.mass = tyre.total_mass - own;
@@ -25,9 +25,9 @@ structure::Freedoms freedoms_of(const ElasticTyre& tyre, const structure::Solid&
             "the rubber alone has {:.4g} kg; expected a larger mass, that of tyre, rim and load together", own));
     rim.nodes = solid.mesh().sets.at("rim");
     for (std::size_t a = 0; a < 3; ++a) rim.held[a] = tyre.locked[a];
-    structure::Freedoms freedoms(solid.mesh().nodes, 3);
-    freedoms.carry(std::move(rim));
-    return freedoms;
+    structure::DegreesOfFreedom dofs(solid.mesh().nodes, 3);
+    dofs.carry(std::move(rim));
+    return dofs;
 }
 
 }  // namespace tw

@@ -38,6 +38,6 @@ using ElasticPart = std::variant<ElasticPlate, ElasticTyre>;
 /// The tyre about its axle, before it is blown up. Throws InputError: see structure/tyre.h and structure/solid/solid.h.
 structure::Solid solid_of(const ElasticTyre& tyre);
 /// What its rim leaves it. Throws InputError where rim and load weigh less than nothing.
-structure::Freedoms freedoms_of(const ElasticTyre& tyre, const structure::Solid& solid);
+structure::DegreesOfFreedom dofs_of(const ElasticTyre& tyre, const structure::Solid& solid);
 
 }  // namespace tw

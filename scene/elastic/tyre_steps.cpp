@@ -13,7 +13,7 @@ double TyreSteps::longest() const {
 
 TyreSteps steps_of(const ElasticTyre& tyre, const structure::Solid& solid) {
     TyreSteps steps;
-    steps.of_elements = solid.explicit_step(Eigen::VectorXd::Zero(solid.freedoms()));
+    steps.of_elements = solid.explicit_step(Eigen::VectorXd::Zero(solid.dofs()));
     steps.of_contact = 2 / structure::PlaneContact(solid, "outside", 0, tyre.contact_stiffness()).highest_frequency();
     steps.elements = static_cast<int>(solid.elements().size());
     return steps;

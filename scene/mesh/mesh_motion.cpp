@@ -93,7 +93,7 @@ void bound_travel(const MovingBody& body, const Scene& scene, MeshMotion& m) {
 /// Up and down only: the mesh slides along the tank's vertical sides.
 bool moves_vertically(const MovingBody& body) {
     if (const auto& law = body.motion.law) return !law->turns && law->axis.head<2>().norm() < 1e-12;
-    const Freedoms& f = body.motion.free;
+    const DegreesOfFreedom& f = body.motion.free;
     return !f.along[0] && !f.along[1] && !f.about[0] && !f.about[1] && !f.about[2];
 }
 
@@ -209,7 +209,7 @@ void check_body(const MovingBody& body, const Scene& scene) {
                         "and its mesh can neither open nor close the gap between them; expected methods = [\"sph\"], "
                         "--method sph, or a body that starts more than four cells ({:.3g} m) clear of the wall",
                         body.name, wall.name, 4 * scene.resolution.near_hull));
-    const Freedoms& f = body.motion.free;
+    const DegreesOfFreedom& f = body.motion.free;
     if (!body.motion.law && f.about[0] + f.about[1] + f.about[2] == 2)
         refuse(scene, "run.methods",
                fmt::format("body {} is free to turn about two of the three axes, which OpenFOAM has no constraint for; "
@@ -217,9 +217,9 @@ void check_body(const MovingBody& body, const Scene& scene) {
                            body.name));
 }
 
-/// A mesh that turns with the body has sides that are open to water at rest and a top that is open to air. Where its floor
-/// comes out of the water, or its top goes under, water leaves through the one and air comes in through the other: the
-/// volume fraction leaves its range from there on (decision 032).
+/// A mesh that turns with the body has sides that are open to water at rest and a top that is open to air. Where its
+/// floor comes out of the water, or its top goes under, water leaves through the one and air comes in through the
+/// other: the volume fraction leaves its range from there on (decision 032).
 void check_turn(const MovingBody& body, const Scene& scene) {
     const auto& law = body.motion.law;
     if (!law || !law->turns) return;

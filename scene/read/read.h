@@ -64,7 +64,7 @@ std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections);
 
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
 struct FreeHullOptions {
-    Freedoms free;
+    DegreesOfFreedom free;
     double mass = 0;  ///< [kg]
     std::optional<double> lcg, vcg, gyradius, release;
 };

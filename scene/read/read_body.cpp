@@ -11,15 +11,15 @@
 namespace tw {
 namespace {
 
-constexpr const char* freedom_names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+constexpr const char* dof_names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
-bool is_free(const Freedoms& free, std::size_t k) { return k < 3 ? free.along[k] : free.about[k - 3]; }
+bool is_free(const DegreesOfFreedom& free, std::size_t k) { return k < 3 ? free.along[k] : free.about[k - 3]; }
 
-Freedoms read_freedoms(SceneSection& s, bool flat) {
-    Freedoms free;
+DegreesOfFreedom read_dofs(SceneSection& s, bool flat) {
+    DegreesOfFreedom free;
     const auto lock = [&](std::size_t k) { (k < 3 ? free.along[k] : free.about[k - 3]) = false; };
     for (const std::string& word : s.choices("locked").value_or(std::vector<std::string>{}))
-        lock(static_cast<std::size_t>(std::ranges::find(freedom_names, word) - std::begin(freedom_names)));
+        lock(static_cast<std::size_t>(std::ranges::find(dof_names, word) - std::begin(dof_names)));
     if (flat)
         for (const std::size_t k : {1u, 3u, 5u}) lock(k);
     if (!free.any())
@@ -96,7 +96,7 @@ void read_body(SceneSection& s, MovingBody& b, int dimensions) {
     const Eigen::Matrix3d turn = turn_of(pose);
     m.mass = read_mass(s, b.surface, turn, free);
     if (free) {
-        m.free = read_freedoms(s, flat);
+        m.free = read_dofs(s, flat);
         const std::optional<Vec3> velocity = s.vector("velocity");
         const auto speed = s.number("speed");
         if (velocity && speed) s.fail("speed", "given twice: also velocity; keep one of the two");
@@ -106,7 +106,7 @@ void read_body(SceneSection& s, MovingBody& b, int dimensions) {
             const auto axis = static_cast<int>(k % 3);
             if (!is_free(m.free, k) && std::abs(k < 3 ? m.velocity[axis] : m.spin[axis]) > 1e-12)
                 s.fail(k < 3 ? (speed ? "speed" : "velocity") : "spin",
-                       fmt::format("has a part in {}, which is locked{}", freedom_names[k],
+                       fmt::format("has a part in {}, which is locked{}", dof_names[k],
                                    flat ? " (two dimensions are the plane y = 0)" : ""));
         }
     } else {

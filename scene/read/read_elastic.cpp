@@ -7,7 +7,7 @@
 #include "meshes/mass_properties.h"
 #include "meshes/surface.h"
 #include "scene/read/read.h"
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/material.h"
 #include "structure/read_mesh.h"
 #include "structure/shell/gauge.h"
@@ -235,14 +235,14 @@ void stand_elastic(MovingBody& body, double dp, SceneSection& s) {
     try {
         // what is reported of two dimensions is per metre of span
         const structure::Shell shell = shell_of(plate, 1);
-        freedoms_of(plate, shell, 1).basis();
+        dofs_of(plate, shell, 1).basis();
         for (const ElasticGauge& g : plate.gauges)
             structure::GaugeReader(shell,
                                    {g.name, g.position, g.direction.value_or(plate.turned(Vec3::UnitX())), g.top});
         body.surface = structure::Skin(shell, plate.skin).reference();
         RigidBodySetup& m = body.motion;
         double own = 0;
-        for (int n = 0; 6 * n < shell.freedoms(); ++n) own += shell.mass()[6 * n];
+        for (int n = 0; 6 * n < shell.dofs(); ++n) own += shell.mass()[6 * n];
         m.mass.mass = plate.total_mass > 0 ? plate.total_mass : own;
         const RigidMass uniform = solid_mass(body.surface, 1);
         m.mass.centre = plate.centre();

@@ -7,7 +7,7 @@
 #include "meshes/mass_properties.h"
 #include "scene/elastic/tyre_steps.h"
 #include "scene/read/read.h"
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/solid/wet_surface.h"
 #include "structure/tyre_static.h"
 
@@ -85,7 +85,7 @@ void read_tyre_body(SceneSection& s, MovingBody& b, ElasticTyre tyre) {
         const structure::Solid about_axle = solid_of(tyre);
         tyre.axle.z() = -*draft - structure::WetSurface(about_axle, "outside", u).closed().bounds().min.z();
         const structure::Solid solid = solid_of(tyre);
-        freedoms_of(tyre, solid).basis();
+        dofs_of(tyre, solid).basis();
         b.surface = structure::WetSurface(solid, "outside", u).closed();
     } catch (const InputError& e) { s.fail("elastic", e.what()); } catch (const RunError& e) {
         s.fail("pressure", fmt::format("bursts the tyre: {}", e.what()));

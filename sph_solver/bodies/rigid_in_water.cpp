@@ -46,7 +46,7 @@ BodyMotion RigidInWater::motion() const {
 
 bool RigidInWater::stays_along(int axis) const {
     if (rigid_.prescribed()) return false;
-    const Freedoms& free = rigid_.freedoms();
+    const DegreesOfFreedom& free = rigid_.dofs();
     const auto a = static_cast<std::size_t>(axis);
     return !free.along[a] && !free.about[(a + 1) % 3] && !free.about[(a + 2) % 3];
 }
@@ -90,7 +90,7 @@ void RigidInWater::meet(const WaterNear& water, const Dummies& dummies) {
 double RigidInWater::shell_over_inertia() const {
     double most = 0;
     for (int a = 0; a < 3; ++a)
-        if (rigid_.freedoms().about[static_cast<std::size_t>(a)])
+        if (rigid_.dofs().about[static_cast<std::size_t>(a)])
             most = std::max(most, shell_inertia_(a, a) / rigid_.mass().inertia(a, a));
     return most;
 }

@@ -46,13 +46,13 @@ SparseMatrix Shell::stiffness() const {
                 entries.emplace_back(6 * quad[static_cast<std::size_t>(i / 6)] + i % 6,
                                      6 * quad[static_cast<std::size_t>(j / 6)] + j % 6, K(i, j));
     }
-    SparseMatrix K(freedoms(), freedoms());
+    SparseMatrix K(dofs(), dofs());
     K.setFromTriplets(entries.begin(), entries.end());
     return K;
 }
 
 void Shell::add_point_mass(int node, double kg) {
-    if (node < 0 || 6 * node >= freedoms() || !(std::isfinite(kg) && kg >= 0))
+    if (node < 0 || 6 * node >= dofs() || !(std::isfinite(kg) && kg >= 0))
         throw InputError(fmt::format("a mass of {} kg at node {}; expected 0 or more at a node that exists", kg, node));
     mass_.segment<3>(6 * node).array() += kg;
 }
@@ -68,7 +68,7 @@ void Shell::add_line_mass(const std::vector<int>& path, double kg_per_m) {
 }
 
 Eigen::VectorXd Shell::pressure_load(const Eigen::VectorXd& pressure) const {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms());
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs());
     for (std::size_t e = 0; e < elements_.size(); ++e)
         for (int i = 0; i < 4; ++i)
             f.segment<3>(6 * mesh_.quads[e][static_cast<std::size_t>(i)]) -=
@@ -77,8 +77,8 @@ Eigen::VectorXd Shell::pressure_load(const Eigen::VectorXd& pressure) const {
 }
 
 Eigen::VectorXd Shell::weight(const Vec3& gravity) const {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms());
-    for (int n = 0; 6 * n < freedoms(); ++n) f.segment<3>(6 * n) = mass_[6 * n] * gravity;
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs());
+    for (int n = 0; 6 * n < dofs(); ++n) f.segment<3>(6 * n) = mass_[6 * n] * gravity;
     return f;
 }
 

@@ -2,7 +2,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/mesh.h"
 #include "structure/shell/mitc4.h"
 
@@ -19,7 +19,7 @@ public:
     const ShellMesh& mesh() const { return mesh_; }
     const Laminate& laminate() const { return laminate_; }
     const std::vector<Mitc4>& elements() const { return elements_; }
-    int freedoms() const { return 6 * static_cast<int>(mesh_.nodes.size()); }
+    int dofs() const { return 6 * static_cast<int>(mesh_.nodes.size()); }
 
     SparseMatrix stiffness() const;
 

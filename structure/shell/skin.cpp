@@ -8,7 +8,7 @@
 
 namespace tw::structure {
 
-Skin::Skin(const Shell& shell, double thickness) : freedoms_(shell.freedoms()) {
+Skin::Skin(const Shell& shell, double thickness) : dofs_(shell.dofs()) {
     if (!(thickness >= shell.laminate().thickness() * (1 - 1e-12)))
         throw InputError(fmt::format("a surface of {:.4g} m about a shell of {:.4g} m; expected no less", thickness,
                                      shell.laminate().thickness()));
@@ -61,7 +61,7 @@ std::vector<Vec3> Skin::velocity(const Eigen::VectorXd& v) const {
 }
 
 Eigen::VectorXd Skin::load(const std::vector<Vec3>& forces) const {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms_);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs_);
     for (std::size_t k = 0; k < node_.size(); ++k) {
         f.segment<3>(6 * node_[k]) += forces[k];
         f.segment<3>(6 * node_[k] + 3) += arm_[k].cross(forces[k]);

@@ -33,7 +33,7 @@ private:
     Surface surface_;
     std::vector<int> node_;  ///< on which each point hangs
     std::vector<Vec3> arm_;  ///< [m]
-    int freedoms_;
+    int dofs_;
 };
 
 }  // namespace tw::structure

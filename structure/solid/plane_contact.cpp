@@ -9,7 +9,7 @@ namespace tw::structure {
 
 PlaneContact::PlaneContact(const Solid& solid, const std::string& surface, double height, double stiffness)
     : solid_(&solid), height_(height), stiffness_(stiffness) {
-    const WetSurface all(solid, surface, Eigen::VectorXd::Zero(solid.freedoms()));
+    const WetSurface all(solid, surface, Eigen::VectorXd::Zero(solid.dofs()));
     for (std::size_t n = 0; n < all.areas().size(); ++n)
         if (all.areas()[n] > 0) {
             nodes_.push_back(static_cast<int>(n));
@@ -23,7 +23,7 @@ double PlaneContact::depth(const Eigen::VectorXd& u, std::size_t k) const {
 }
 
 Eigen::VectorXd PlaneContact::force(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(solid_->freedoms());
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(solid_->dofs());
     for (std::size_t k = 0; k < nodes_.size(); ++k) f[3 * nodes_[k] + 2] = stiffness_ * areas_[k] * depth(u, k);
     return f;
 }
@@ -44,7 +44,7 @@ SparseMatrix PlaneContact::tangent(const Eigen::VectorXd& u) const {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t k = 0; k < nodes_.size(); ++k)
         if (depth(u, k) > 0) entries.emplace_back(3 * nodes_[k] + 2, 3 * nodes_[k] + 2, stiffness_ * areas_[k]);
-    SparseMatrix K(solid_->freedoms(), solid_->freedoms());
+    SparseMatrix K(solid_->dofs(), solid_->dofs());
     K.setFromTriplets(entries.begin(), entries.end());
     return K;
 }

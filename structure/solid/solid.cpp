@@ -86,7 +86,7 @@ double Solid::energy(const Eigen::VectorXd& u) const {
 }
 
 Eigen::VectorXd Solid::internal_force(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms());
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs());
     for (std::size_t e = 0; e < elements_.size(); ++e) {
         const Hexahedron::Vector24 fe = elements_[e].force(corners(u, e), material(e));
         for (int i = 0; i < 8; ++i)
@@ -100,7 +100,7 @@ SparseMatrix Solid::tangent(const Eigen::VectorXd& u) const {
     entries.reserve(elements_.size() * 576);
     for (std::size_t e = 0; e < elements_.size(); ++e)
         scatter(mesh_.hexahedra[e], elements_[e].tangent(corners(u, e), material(e)), entries);
-    SparseMatrix K(freedoms(), freedoms());
+    SparseMatrix K(dofs(), dofs());
     K.setFromTriplets(entries.begin(), entries.end());
     return K;
 }
@@ -113,7 +113,7 @@ const std::vector<std::array<int, 4>>& Solid::surface(const std::string& name) c
 
 Eigen::VectorXd Solid::pressure_load(const Eigen::VectorXd& u, const std::string& name, double pressure) const {
     static const auto points = quad_points();
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(freedoms());
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs());
     for (const auto& quad : surface(name))
         for (const QuadPoint& q : points) {
             Vec3 a = Vec3::Zero(), b = Vec3::Zero();
@@ -144,7 +144,7 @@ SparseMatrix Solid::pressure_tangent(const Eigen::VectorXd& u, const std::string
         }
         scatter(quad, K, entries);
     }
-    SparseMatrix K(freedoms(), freedoms());
+    SparseMatrix K(dofs(), dofs());
     K.setFromTriplets(entries.begin(), entries.end());
     return K;
 }

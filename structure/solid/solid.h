@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/mesh.h"
 #include "structure/solid/hexahedron.h"
 
@@ -15,7 +15,7 @@ public:
     Solid(SolidMesh mesh, std::vector<Hyperelastic> materials);
 
     const SolidMesh& mesh() const { return mesh_; }
-    int freedoms() const { return 3 * static_cast<int>(mesh_.nodes.size()); }
+    int dofs() const { return 3 * static_cast<int>(mesh_.nodes.size()); }
     const Eigen::VectorXd& mass() const { return mass_; }  ///< lumped [kg]
 
     double energy(const Eigen::VectorXd& u) const;                   ///< stored [J]

@@ -17,7 +17,7 @@ CentralDifference::CentralDifference(const SparseMatrix& mass, SparseMatrix basi
 }
 
 namespace {
-/// The unknowns of which all freedoms follow: exact where supports and rigid parts allow them.
+/// The unknowns of which all degrees of freedom follow: exact where supports and rigid parts allow them.
 Eigen::VectorXd unknowns(const SparseMatrix& basis, const Eigen::VectorXd& all) {
     const SparseMatrix normal = basis.transpose() * basis;
     return SparseCholesky(normal).solve(basis.transpose() * all);

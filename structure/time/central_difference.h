@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/sparse_cholesky.h"
 
 namespace tw::structure {
@@ -13,9 +13,9 @@ namespace tw::structure {
 /// Stable below 2 / omega of the structure's highest frequency (Solid::explicit_step, Shell::explicit_step).
 class CentralDifference {
 public:
-    /// Net force on all freedoms (loads less internal forces) [N], by displacements [m] and time [s].
+    /// Net force on all degrees of freedom (loads less internal forces) [N], by displacements [m] and time [s].
     using Force = std::function<Eigen::VectorXd(const Eigen::VectorXd& u, double t)>;
-    /// Of the unknown freedoms: place, velocity, the force there, and time. A restart needs these alone.
+    /// Of the unknown degrees of freedom: place, velocity, the force there, and time. A restart needs these alone.
     struct State {
         Eigen::VectorXd q, v, f;
         double t = 0;  ///< [s]
@@ -24,9 +24,9 @@ public:
     /// Throws RunError for a freedom without mass.
     CentralDifference(const SparseMatrix& mass, SparseMatrix basis, Force force);
 
-    void set_displacement(const Eigen::VectorXd& u_all);  ///< of all freedoms [m]
-    void set_velocity(const Eigen::VectorXd& v_all);      ///< of all freedoms [m/s]
-    /// An impulse on all freedoms [N s], at once.
+    void set_displacement(const Eigen::VectorXd& u_all);  ///< of all degrees of freedom [m]
+    void set_velocity(const Eigen::VectorXd& v_all);      ///< of all degrees of freedom [m/s]
+    /// An impulse on all degrees of freedom [N s], at once.
     void strike(const Eigen::VectorXd& impulse_all);
     /// Over `interval` [s] in equal sub-steps no longer than `longest` [s]; returns their number. Throws RunError with
     /// the time when the state is no longer finite.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/sparse_cholesky.h"
 
 namespace tw::structure {
@@ -21,8 +21,8 @@ public:
         Eigen::VectorXd q, v, a, f;
     };
 
-    /// `stiffness` and `mass` are those of all freedoms. Throws InputError for a step or a factor out of (0, inf) and
-    /// [0, 1], RunError if the matrix is not positive definite.
+    /// `stiffness` and `mass` are those of all degrees of freedom. Throws InputError for a step or a factor out of (0,
+    /// inf) and [0, 1], RunError if the matrix is not positive definite.
     GeneralisedAlpha(const SparseMatrix& stiffness, const SparseMatrix& mass, SparseMatrix basis, double dt,
                      double damping_at_infinity = 1);
 

@@ -51,40 +51,39 @@ Eigen::VectorXd rounding_of_places(const Shell& shell) {
     for (const Vec3& x : shell.mesh().nodes)
         low = low.cwiseMin(x), high = high.cwiseMax(x), far = far.cwiseMax(x.cwiseAbs());
     const double size = std::max((high - low).norm(), far.norm());
-    Eigen::VectorXd errors = Eigen::VectorXd::Constant(shell.freedoms(), 1e-15);
+    Eigen::VectorXd errors = Eigen::VectorXd::Constant(shell.dofs(), 1e-15);
     for (int n = 0; n < errors.size(); n += 6) errors.segment<3>(n) *= size;
     return errors;
 }
 }  // namespace
 
-NonlinearAlpha::NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, double dt)
+NonlinearAlpha::NonlinearAlpha(const Shell& shell, const DegreesOfFreedom& dofs, double dt)
     : shell_(&shell),
-      freedoms_(freedoms),
+      dofs_(dofs),
       elastic_(shell),
-      basis_(freedoms.basis()),
-      M_(basis_.transpose() * freedoms.mass(shell.mass()) * basis_),
+      basis_(dofs.basis()),
+      M_(basis_.transpose() * dofs.mass(shell.mass()) * basis_),
       dt_(dt) {
     if (!(std::isfinite(dt) && dt > 0)) throw InputError(fmt::format("time step {} s; expected a positive one", dt));
     const SparseMatrix of_nodes = shell.stiffness();
-    const SparseMatrix K = basis_.transpose() * freedoms.widened(of_nodes) * basis_;
+    const SparseMatrix K = basis_.transpose() * dofs.widened(of_nodes) * basis_;
     rounding_ =
-        (basis_.transpose() * freedoms.widened(Eigen::VectorXd(of_nodes.cwiseAbs() * rounding_of_places(shell))))
-            .norm();
+        (basis_.transpose() * dofs.widened(Eigen::VectorXd(of_nodes.cwiseAbs() * rounding_of_places(shell)))).norm();
     solver_.factorise(2 / (dt * dt) * M_ + 0.5 * K);
     if (!solver_.positive_definite())
         throw RunError("the structure has a degree of freedom with neither mass nor stiffness");
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(basis_.cols());
-    state_ = {Eigen::VectorXd::Zero(freedoms.all()), none, none, none, none};
+    state_ = {Eigen::VectorXd::Zero(dofs.all()), none, none, none, none};
 }
 
 Eigen::VectorXd NonlinearAlpha::internal(const Eigen::VectorXd& u) const {
-    return basis_.transpose() * freedoms_.widened(elastic_.internal_force(nodes(u)));
+    return basis_.transpose() * dofs_.widened(elastic_.internal_force(nodes(u)));
 }
 
 Eigen::VectorXd NonlinearAlpha::moved(const Eigen::VectorXd& u, const Eigen::VectorXd& by) const {
     const Eigen::VectorXd change = basis_ * by;
     Eigen::VectorXd to = u + change;
-    to.head(shell_->freedoms()) = elastic_.moved(nodes(u), nodes(change));
+    to.head(shell_->dofs()) = elastic_.moved(nodes(u), nodes(change));
     return to;
 }
 

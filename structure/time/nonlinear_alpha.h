@@ -1,6 +1,6 @@
 #pragma once
 
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/shell/corotational.h"
 #include "structure/sparse_cholesky.h"
 
@@ -22,9 +22,9 @@ public:
         Eigen::VectorXd u, v, a, f, F;
     };
 
-    /// `mass` is that of all freedoms. `shell` must outlive this. Throws InputError for a step that is not positive,
-    /// RunError if the matrix is not positive definite.
-    NonlinearAlpha(const Shell& shell, const Freedoms& freedoms, double dt);
+    /// `mass` is that of all degrees of freedom. `shell` must outlive this. Throws InputError for a step that is not
+    /// positive, RunError if the matrix is not positive definite.
+    NonlinearAlpha(const Shell& shell, const DegreesOfFreedom& dofs, double dt);
 
     /// At rest in the reference state, with velocities of all degrees of freedom and a load.
     void start(const Eigen::VectorXd& v, const Eigen::VectorXd& load);
@@ -40,13 +40,13 @@ public:
     void set_state(State state) { state_ = std::move(state); }
 
 private:
-    Eigen::VectorXd nodes(const Eigen::VectorXd& all) const { return all.head(shell_->freedoms()); }
+    Eigen::VectorXd nodes(const Eigen::VectorXd& all) const { return all.head(shell_->dofs()); }
     Eigen::VectorXd internal(const Eigen::VectorXd& u) const;
-    /// Where the unknowns' change takes all freedoms.
+    /// Where the unknowns' change takes all degrees of freedom.
     Eigen::VectorXd moved(const Eigen::VectorXd& u, const Eigen::VectorXd& by) const;
 
     const Shell* shell_;
-    Freedoms freedoms_;
+    DegreesOfFreedom dofs_;
     Corotational elastic_;
     SparseMatrix basis_, M_;
     double dt_;

@@ -45,11 +45,11 @@ ElasticBody::ElasticBody(BodySetup setup)
     for (const Vec3& p : skin_.points) skin_ties_.push_back(tie(p));
     for (const auto& [a, b, c] : skin_.triangles) corners_.push_back({a, b, c});
     note_nodes(0);
-    const int all = setup_->freedoms.all();
+    const int all = setup_->dofs.all();
     relaxation_.assign(nodes_.size(), 1.0);
     accelerations_ = VectorXd::Zero(static_cast<Eigen::Index>(3 * nodes_.size()));
     last_acceleration_ = VectorXd::Zero(all);
-    force_ = impulses_ = FreedomSums(all);
+    force_ = impulses_ = DofSums(all);
     u_ = structure_->displacement();
     v_ = structure_->velocity();
     note_surface();
@@ -144,11 +144,11 @@ void ElasticBody::meet(const WaterNear& water, const Dummies&) {
     water_ = water;
     const std::vector<double>& areas = structure_->wet_areas();
     const VectorXd& mass = structure_->mass();
-    const int per_node = setup_->freedoms.per_node();
+    const int per_node = setup_->dofs.per_node();
     std::vector<double> ratio(nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k)
         ratio[k] = water.density * water.spacing * areas[k] / mass[static_cast<Eigen::Index>(k) * per_node];
-    for (const structure::RigidPart& part : setup_->freedoms.parts()) {
+    for (const structure::RigidPart& part : setup_->dofs.parts()) {
         double area = 0, carried = part.mass;
         for (const int n : part.nodes) {
             area += areas[static_cast<std::size_t>(n)];
@@ -180,7 +180,7 @@ void ElasticBody::take(const Attached& dummies, const std::vector<Vec3>& forces)
 void ElasticBody::push(const Tie& tie, const Vec3& force) {
     const Vec3 whole = width() * force;
     power_ += whole.dot(velocity(tie));
-    for (std::size_t i = 0; i < 4; ++i) force_.add(setup_->freedoms.per_node() * tie.nodes[i], tie.shares[i] * whole);
+    for (std::size_t i = 0; i < 4; ++i) force_.add(setup_->dofs.per_node() * tie.nodes[i], tie.shares[i] * whole);
 }
 
 void ElasticBody::take(const WallPush& by) {
@@ -196,7 +196,7 @@ void ElasticBody::take_impulse(const WallImpulse& by) {
     for (int k = 0; k < 3; ++k) {
         const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (std::size_t i = 0; i < 4; ++i)
-            impulses_.add(setup_->freedoms.per_node() * tie.nodes[i], width() * shares[k] * tie.shares[i] * by.impulse);
+            impulses_.add(setup_->dofs.per_node() * tie.nodes[i], width() * shares[k] * tie.shares[i] * by.impulse);
     }
 }
 
@@ -210,12 +210,12 @@ void ElasticBody::relax(const VectorXd& acceleration) {
 /// By mass, on the nodes where they are shown to the water and on rigid parts a time `ahead` from where they stand; on
 /// what turns with a shell's nodes or a rigid part too.
 void ElasticBody::add_weight(VectorXd& load, double ahead) const {
-    const structure::Freedoms& freedoms = setup_->freedoms;
+    const structure::DegreesOfFreedom& dofs = setup_->dofs;
     const VectorXd& mass = structure_->mass();
     FrameForce f;
     f.at_pivot = water_.gravity;
     if (water_.frame) f = water_.frame->force(time_ + ahead, water_.gravity);
-    const bool turns = water_.frame && water_.frame->law.turns && freedoms.per_node() == 6;
+    const bool turns = water_.frame && water_.frame->law.turns && dofs.per_node() == 6;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         const Eigen::Index first = first_of(k);
         load.segment<3>(first) += mass[first] * f.at(nodes_[k].x, nodes_[k].v);
@@ -223,9 +223,9 @@ void ElasticBody::add_weight(VectorXd& load, double ahead) const {
             load.segment<3>(first + 3) +=
                 moment_on(mass.segment<3>(first + 3).asDiagonal(), v_.segment<3>(first + 3), f);
     }
-    for (std::size_t p = 0; p < freedoms.parts().size(); ++p) {
-        const structure::RigidPart& part = freedoms.parts()[p];
-        const int first = freedoms.first_of_part(static_cast<int>(p));
+    for (std::size_t p = 0; p < dofs.parts().size(); ++p) {
+        const structure::RigidPart& part = dofs.parts()[p];
+        const int first = dofs.first_of_part(static_cast<int>(p));
         const Vec3 u = u_.segment<3>(first), v = v_.segment<3>(first);
         load.segment<3>(first) += part.mass * f.at(part.centre + u + ahead * v, v);
         if (turns) load.segment<3>(first + 3) += moment_on(part.inertia, v_.segment<3>(first + 3), f);
@@ -235,7 +235,7 @@ void ElasticBody::add_weight(VectorXd& load, double ahead) const {
 VectorXd ElasticBody::load_of(const VectorXd& water, const BodyStep& step) const {
     VectorXd load = water;
     add_weight(load, step.drifted);
-    if (setup_->damping > 0) load -= setup_->damping * (setup_->freedoms.mass(structure_->mass()) * v_);
+    if (setup_->damping > 0) load -= setup_->damping * (setup_->dofs.mass(structure_->mass()) * v_);
     return load;
 }
 
@@ -244,7 +244,7 @@ void ElasticBody::sub_iterate(const BodyStep& step) {
     structure_->step(step.kick, step.drift, load_of(force_.value() + impulses_.value() / step.kick, step));
     relax((structure_->velocity() - v_) / step.kick);
     structure_->restore(now);
-    force_ = FreedomSums(v_.size());
+    force_ = DofSums(v_.size());
     power_ = {};
 }
 
@@ -268,7 +268,7 @@ void ElasticBody::move(const BodyStep& step) {
     for (std::size_t k = 0; k < nodes_.size(); ++k) impulse_ += dt * water.segment<3>(first_of(k));
     last_acceleration_ = (v_ - before) / dt;
     relax(last_acceleration_);
-    force_ = impulses_ = FreedomSums(v_.size());
+    force_ = impulses_ = DofSums(v_.size());
     power_ = {};
     note_nodes(0);
 }
@@ -290,7 +290,7 @@ Vec3 ElasticBody::deflection(std::size_t point) const { return place(points_[poi
 double ElasticBody::strain(std::size_t gauge) const { return structure_->strain(gauge); }
 
 ElasticBody::PartMotion ElasticBody::part(std::size_t part) const {
-    const int first = setup_->freedoms.first_of_part(static_cast<int>(part));
+    const int first = setup_->dofs.first_of_part(static_cast<int>(part));
     return {u_.segment<3>(first), v_.segment<3>(first), last_acceleration_.segment<3>(first)};
 }
 
@@ -298,9 +298,9 @@ void ElasticBody::describe(const Load& load, const Note& note) const {
     const auto put = [&](const std::string& before, const std::string& unit, const Vec3& v) {
         for (int a = 0; a < 3; ++a) note(before + "xyz"[a], unit, v[a] + 0.0);
     };
-    if (!setup_->freedoms.parts().empty()) {
+    if (!setup_->dofs.parts().empty()) {
         const PartMotion frame = part(0);
-        put("", "m", setup_->freedoms.parts()[0].centre + frame.displacement);
+        put("", "m", setup_->dofs.parts()[0].centre + frame.displacement);
         put("v", "m/s", frame.velocity);
         put("a", "m/s2", frame.acceleration);
     }
@@ -341,7 +341,7 @@ void ElasticBody::restore(std::span<const double> state) {
     VectorXd impulses(v_.size());
     for (VectorXd* part : {&accelerations_, &last_acceleration_, &impulses})
         std::ranges::copy(next(static_cast<std::size_t>(part->size())), part->begin());
-    impulses_ = FreedomSums(impulses);
+    impulses_ = DofSums(impulses);
     const auto sums = next(10);
     power_before_ = sums[0], work_taken_ = sums[1], work_given_ = sums[2], work_exchanged_ = sums[3];
     impulse_ = Vec3(sums[4], sums[5], sums[6]);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sph_solver/bodies/body.h"
+#include "sph_solver/bodies/elastic/dof_sums.h"
 #include "sph_solver/bodies/elastic/elastic_setup.h"
-#include "sph_solver/bodies/elastic/freedom_sums.h"
 #include "sph_solver/bodies/elastic/structure_in_time.h"
 #include "sph_solver/bodies/elastic/tie.h"
 
@@ -131,10 +131,8 @@ private:
     /// With the body's own weight, or what it feels in a tank that moves, and its damping, in the middle of the step.
     Eigen::VectorXd load_of(const Eigen::VectorXd& water, const BodyStep& step) const;
     void add_weight(Eigen::VectorXd& load, double ahead) const;
-    /// Of a node's freedoms.
-    Eigen::Index first_of(std::size_t node) const {
-        return static_cast<Eigen::Index>(node) * setup_->freedoms.per_node();
-    }
+    /// Of a node's degrees of freedom.
+    Eigen::Index first_of(std::size_t node) const { return static_cast<Eigen::Index>(node) * setup_->dofs.per_node(); }
 
     std::shared_ptr<const ElasticSetup> setup_;
     std::unique_ptr<StructureInTime> structure_;
@@ -153,7 +151,7 @@ private:
     Eigen::VectorXd u_, v_;              ///< of all degrees of freedom
     Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
     Eigen::VectorXd last_acceleration_;  ///< of all degrees of freedom, over the last step
-    FreedomSums force_, impulses_;       ///< that wait for `move`, of all degrees of freedom
+    DofSums force_, impulses_;       ///< that wait for `move`, of all degrees of freedom
     ExactSum power_;                     ///< of the forces in force_, with the velocities that the water felt [W]
     double power_before_ = 0;            ///< of the forces before, with the same velocities [W]
     std::vector<double> relaxation_;     ///< theta of each node

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sph_solver/bodies/elastic/interface.h"
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 #include "structure/shell/gauge.h"
 #include "structure/shell/shell.h"
 #include "structure/solid/solid.h"
@@ -48,7 +48,7 @@ struct ElasticSolid {
 /// What an elastic body is made from, and what holds or carries it.
 struct ElasticSetup {
     std::variant<ElasticShell, ElasticSolid> structure;
-    structure::Freedoms freedoms;
+    structure::DegreesOfFreedom dofs;
     /// Two dimensions: the structure is a strip about the plane y = 0, so wide [m]; forces are per metre of it. Else 0.
     double width = 0;
     Coupling coupling = {};

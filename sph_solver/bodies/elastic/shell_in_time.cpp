@@ -128,15 +128,15 @@ public:
 
     explicit LinearShell(const ElasticSetup& setup)
         : ShellInTime(setup),
-          basis_(setup.freedoms.basis()),
-          K_(setup.freedoms.widened(shell_.stiffness())),
-          M_(setup.freedoms.mass(shell_.mass())),
+          basis_(setup.dofs.basis()),
+          K_(setup.dofs.widened(shell_.stiffness())),
+          M_(setup.dofs.mass(shell_.mass())),
           steppers_([this, kept = setup.shell().kept](double dt) {
               return std::make_unique<Integrator>(K_, M_, basis_, dt, kept);
           }) {
         Integrator& any = steppers_.of(no_step);
-        const VectorXd none = VectorXd::Zero(setup.freedoms.all());
-        any.start(none, setup.freedoms.translation(setup.velocity), none);
+        const VectorXd none = VectorXd::Zero(setup.dofs.all());
+        any.start(none, setup.dofs.translation(setup.velocity), none);
         state_ = any.state();
     }
 
@@ -176,11 +176,11 @@ public:
     explicit TurningShell(const ElasticSetup& setup)
         : ShellInTime(setup),
           elastic_(shell_),
-          basis_(setup.freedoms.basis()),
-          M_(setup.freedoms.mass(shell_.mass())),
-          steppers_([this, &setup](double dt) { return std::make_unique<Integrator>(shell_, setup.freedoms, dt); }) {
+          basis_(setup.dofs.basis()),
+          M_(setup.dofs.mass(shell_.mass())),
+          steppers_([this, &setup](double dt) { return std::make_unique<Integrator>(shell_, setup.dofs, dt); }) {
         Integrator& any = steppers_.of(no_step);
-        any.start(setup.freedoms.translation(setup.velocity), VectorXd::Zero(setup.freedoms.all()));
+        any.start(setup.dofs.translation(setup.velocity), VectorXd::Zero(setup.dofs.all()));
         state_ = any.state();
     }
 
@@ -201,10 +201,10 @@ public:
         const VectorXd v = velocity();
         return v.dot(M_ * v) / 2;
     }
-    double elastic_energy() const override { return elastic_.energy(state_.u.head(shell_.freedoms())); }
+    double elastic_energy() const override { return elastic_.energy(state_.u.head(shell_.dofs())); }
     double strain(std::size_t gauge) const override {
         const structure::GaugeReader& of = gauges_[gauge];
-        return of.strain(elastic_.deformation(state_.u.head(shell_.freedoms()), of.element()));
+        return of.strain(elastic_.deformation(state_.u.head(shell_.dofs()), of.element()));
     }
     std::vector<double> state() const override {
         const VectorXd parts = VectorXd::Constant(1, parts_);

@@ -16,18 +16,18 @@ using Eigen::VectorXd;
 class SolidInTime : public StructureInTime {
 public:
     explicit SolidInTime(const ElasticSetup& setup)
-        : freedoms_(setup.freedoms),
+        : dofs_(setup.dofs),
           solid_(setup.solid()),
           surface_(solid_.solid, solid_.wet, solid_.start),
           carried_(solid_.solid.mesh().nodes.size()),
-          time_(freedoms_.mass(solid_.solid.mass()), freedoms_.basis(),
+          time_(dofs_.mass(solid_.solid.mass()), dofs_.basis(),
                 [this](const VectorXd& u, double) { return force(u); }) {
         if (!setup.gauges.empty()) throw InputError("strain gauges are glued to shells; a solid has none");
-        for (const structure::RigidPart& part : freedoms_.parts())
+        for (const structure::RigidPart& part : dofs_.parts())
             for (const int n : part.nodes) carried_[static_cast<std::size_t>(n)] = true;
         if (solid_.floor) floor_.emplace(solid_.solid, solid_.wet, solid_.floor->height, solid_.floor->stiffness);
-        time_.set_displacement(freedoms_.widened(solid_.start));
-        time_.set_velocity(setup.freedoms.translation(setup.velocity));
+        time_.set_displacement(dofs_.widened(solid_.start));
+        time_.set_velocity(setup.dofs.translation(setup.velocity));
         at_end_ = time_.displacement();
         shown_ = time_.velocity();
         const double own = 2 / solid_.solid.explicit_step(solid_.start),
@@ -100,14 +100,14 @@ public:
     }
 
 private:
-    VectorXd of_nodes(const VectorXd& all) const { return all.head(solid_.solid.freedoms()); }
+    VectorXd of_nodes(const VectorXd& all) const { return all.head(solid_.solid.dofs()); }
 
     VectorXd force(const VectorXd& all) const {
         const VectorXd u = of_nodes(all);
         VectorXd f = -solid_.solid.internal_force(u);
         if (solid_.pressure != 0) f += solid_.solid.pressure_load(u, solid_.pressed, solid_.pressure);
         if (floor_) f += floor_->force(u);
-        return freedoms_.widened(f);
+        return dofs_.widened(f);
     }
     /// Volume into which the surface `pressed` faces [m3]: a pressure's work is its product with this one's change.
     double filled(const VectorXd& u) const {
@@ -121,14 +121,14 @@ private:
         return volume;
     }
 
-    const structure::Freedoms& freedoms_;
+    const structure::DegreesOfFreedom& dofs_;
     const ElasticSolid& solid_;
     structure::WetSurface surface_;
     std::vector<bool> carried_;
     std::optional<structure::PlaneContact> floor_;
     structure::CentralDifference time_;
     double longest_ = 0;  ///< sub-step [s]
-    VectorXd at_end_;     ///< displacement at the end of the water's last step, of all freedoms [m]
+    VectorXd at_end_;     ///< displacement at the end of the water's last step, of all degrees of freedom [m]
     VectorXd shown_;      ///< velocities that the water is shown, likewise [m/s]
     double filled_at_start_ = 0;
 };

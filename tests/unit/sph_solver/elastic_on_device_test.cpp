@@ -105,16 +105,15 @@ SimulationSetup flap() {
     structure::ShellMesh mesh = structure::plate_mesh(0.4, 0.6, 8, 6);
     for (Vec3& p : mesh.nodes) p = Vec3(0.6, p.y() - 0.15, p.x() - 0.1);
     structure::Shell shell(mesh, structure::Laminate({{structure::isotropic(1e6, 0.3, 1100), 0, 0.02}}), Vec3::UnitZ());
-    structure::Freedoms freedoms(mesh.nodes, 6);
+    structure::DegreesOfFreedom dofs(mesh.nodes, 6);
     for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n)
-        if (const int node[] = {n}; mesh.nodes[static_cast<std::size_t>(n)].z() < 1e-9) freedoms.clamp(node);
+        if (const int node[] = {n}; mesh.nodes[static_cast<std::size_t>(n)].z() < 1e-9) dofs.clamp(node);
     BodySetup floats = box_surface({Vec3(0.1, 0.05, 0.55), Vec3(0.3, 0.25, 0.75)});
     floats.moving.emplace();
     floats.moving->mass = solid_mass(floats.surface, 500);
-    s.bodies = {
-        BodySetup(box_surface({Vec3(0.85, -0.4, -0.3), Vec3(1.2, 0.7, 0.1)})), floats,
-        BodySetup(std::make_shared<ElasticSetup>(ElasticSetup{
-            .structure = ElasticShell{.shell = std::move(shell), .skin = 0.1}, .freedoms = std::move(freedoms)}))};
+    s.bodies = {BodySetup(box_surface({Vec3(0.85, -0.4, -0.3), Vec3(1.2, 0.7, 0.1)})), floats,
+                BodySetup(std::make_shared<ElasticSetup>(ElasticSetup{
+                    .structure = ElasticShell{.shell = std::move(shell), .skin = 0.1}, .dofs = std::move(dofs)}))};
     return s;
 }
 

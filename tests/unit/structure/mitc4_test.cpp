@@ -53,10 +53,10 @@ TEST(Mitc4, IsNotStrainedByRigidMotionHoweverItLiesAndIsWarped) {
 void expect_patch(const std::function<Eigen::Matrix<double, 6, 1>(const Vec3&)>& exact, const Laminate& laminate,
                   double tolerance = 1e-10) {
     const Shell shell(patch(), laminate);
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.freedoms()), wanted = u;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dofs()), wanted = u;
     for (int n = 0; n < 8; ++n) wanted.segment<6>(6 * n) = exact(shell.mesh().nodes[static_cast<std::size_t>(n)]);
     u.head<24>() = wanted.head<24>();  // the rim's nodes come first
-    Freedoms f(shell.mesh().nodes, 6);
+    DegreesOfFreedom f(shell.mesh().nodes, 6);
     f.clamp(shell.mesh().sets.at("rim"));
     const SparseMatrix T = f.basis(), K = shell.stiffness(), reduced = T.transpose() * K * T;
     u += T * Eigen::SimplicialLDLT<SparseMatrix>(reduced).solve(T.transpose() * -(K * u));

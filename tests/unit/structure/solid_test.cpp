@@ -24,8 +24,8 @@ Solid skewed_block(const Hyperelastic& material = rubber) {
 }
 
 Eigen::VectorXd moved(const Solid& s, const std::function<Vec3(const Vec3&)>& to) {
-    Eigen::VectorXd u(s.freedoms());
-    for (int n = 0; 3 * n < s.freedoms(); ++n) {
+    Eigen::VectorXd u(s.dofs());
+    for (int n = 0; 3 * n < s.dofs(); ++n) {
         const Vec3& X = s.mesh().nodes[static_cast<std::size_t>(n)];
         u.segment<3>(3 * n) = to(X) - X;
     }
@@ -75,7 +75,7 @@ TEST(Solid, ForcesAreTheGradientOfTheEnergyAndTheTangentThatOfTheForces) {
         const SparseMatrix K = s.tangent(u);
         EXPECT_LT((df - K * d).norm(), 1e-7 * df.norm());
         Vec3 sum = Vec3::Zero();
-        for (int n = 0; 3 * n < s.freedoms(); ++n) sum += f.segment<3>(3 * n);
+        for (int n = 0; 3 * n < s.dofs(); ++n) sum += f.segment<3>(3 * n);
         EXPECT_LT(sum.norm(), 1e-12 * f.norm());  // no force from nowhere
     }
 }
@@ -107,7 +107,7 @@ TEST(Solid, PressureOnItsWholeSurfaceIsTheGradientOfItsVolume) {
 TEST(Solid, MassIsThatOfItsVolume) {
     const Solid s(block_mesh({3, 2, 4}, [](const Vec3& p) { return Vec3(2 * p.x(), p.y(), 0.5 * p.z()); }), {rubber});
     double mass = 0;
-    for (int n = 0; 3 * n < s.freedoms(); ++n) mass += s.mass()[3 * n];
+    for (int n = 0; 3 * n < s.dofs(); ++n) mass += s.mass()[3 * n];
     EXPECT_NEAR(mass, 1100, 1e-9);
 }
 

@@ -16,8 +16,8 @@ Surface box(double keel) {
     return box_surface({Vec3(-length / 2, -beam / 2, keel), Vec3(length / 2, beam / 2, keel + height)});
 }
 
-Freedoms heave_and_pitch() {
-    Freedoms free;
+DegreesOfFreedom heave_and_pitch() {
+    DegreesOfFreedom free;
     free.along = {false, false, true};
     free.about = {false, true, false};
     return free;
@@ -30,8 +30,8 @@ TEST(FloatingAttitude, OfABoxIsArchimedesDraft) {
     EXPECT_NEAR(at->turn, 0, 1e-7);
 }
 
-/// With the centre of mass `aft` of amidships and z_g above the keel a wall-sided box of draft T trims by the stern until
-/// its centre of buoyancy stands below it, with t = tan(trim), in the box's own axes:
+/// With the centre of mass `aft` of amidships and z_g above the keel a wall-sided box of draft T trims by the stern
+/// until its centre of buoyancy stands below it, with t = tan(trim), in the box's own axes:
 ///
 ///   L^2/(12 T) t = aft + (z_g - z_b) t,   z_b = T/2 + L^2/(24 T) t^2
 TEST(FloatingAttitude, TrimsByTheSternUntilBuoyancyStandsBelowTheMass) {
@@ -44,7 +44,7 @@ TEST(FloatingAttitude, TrimsByTheSternUntilBuoyancyStandsBelowTheMass) {
 }
 
 TEST(FloatingAttitude, KeepsATrimThatIsHeldAndRefusesWhatSinks) {
-    Freedoms heave = heave_and_pitch();
+    DegreesOfFreedom heave = heave_and_pitch();
     heave.about[1] = false;
     const auto held = floating_attitude(box(0), length * beam * draft, {0.3, 0, 0.1}, heave);
     ASSERT_TRUE(held);

@@ -44,7 +44,7 @@ struct Top {
     double energy, momentum;  ///< largest relative change
     Eigen::Quaterniond attitude;
 };
-Top spun(double dt, double seconds, const Freedoms& free = {}) {
+Top spun(double dt, double seconds, const DegreesOfFreedom& free = {}) {
     RigidBodySetup s = brick();
     s.mass.inertia(0, 1) = s.mass.inertia(1, 0) = 0.2;  // not along the principal axes
     s.spin = Vec3(0.05, 2 * pi, 0.03);
@@ -96,7 +96,7 @@ TEST(RigidBody, SwingsOnASpringWithSecondOrderInTheStep) {
     EXPECT_LT(error(0.001), 1e-3);
 }
 
-TEST(RigidBody, KeepsLockedFreedomsLocked) {
+TEST(RigidBody, KeepsLockedDegreesOfFreedomLocked) {
     RigidBodySetup s = brick();
     s.mass.inertia(0, 1) = s.mass.inertia(1, 0) = 0.3;  // a roll moment would also pitch it
     s.free = {{false, true, true}, {true, false, true}};

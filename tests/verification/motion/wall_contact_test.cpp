@@ -20,14 +20,14 @@ struct Block {
     WallContact contact;
 
     Block(const Vec3& size, double friction, std::vector<WallPlane> walls = {ground}, double lifted = 0,
-          const Freedoms& free = {}, const Vec3& velocity = Vec3::Zero())
+          const DegreesOfFreedom& free = {}, const Vec3& velocity = Vec3::Zero())
         : surface(box(size, lifted)), body(setup(surface, free, velocity)), contact(surface.points, walls, friction) {}
 
     static Surface box(const Vec3& size, double lifted) {
         const Surface s = make_hull("box", {{"length", size.x()}, {"beam", size.y()}, {"height", size.z()}});
         return posed(s, {.draft = -lifted});
     }
-    static RigidBodySetup setup(const Surface& surface, const Freedoms& free, const Vec3& velocity) {
+    static RigidBodySetup setup(const Surface& surface, const DegreesOfFreedom& free, const Vec3& velocity) {
         RigidBodySetup b;
         b.mass = solid_mass(surface, 1200);
         b.free = free;
@@ -101,7 +101,8 @@ TEST(WallContact, ABlockTipsWhereTheMomentWins) {
         if (off < 0) {
             EXPECT_LT(block.turned(), 1e-9);
         } else {
-            // from rest on the edge: (I + m r^2) theta'' = m g r sin(theta + off), to 3rd order theta = off (cosh(k t) - 1)
+            // from rest on the edge: (I + m r^2) theta'' = m g r sin(theta + off), to 3rd order theta = off (cosh(k t)
+            // - 1)
             const double r = std::hypot(b, h) / 2, k = std::sqrt(g / (4.0 / 3 * r));
             EXPECT_NEAR(block.turned(), off * (std::cosh(k) - 1), 0.01 * off * std::cosh(k));
             const double slid = (block.body.now(Vec3(b / 2, 0.15, 0)) - Vec3(b / 2, 0.15, 0)).norm();
@@ -165,7 +166,7 @@ TEST(WallContact, HoldsInACornerAndUpsideDown) {
 }
 
 TEST(WallContact, OfLockedMotionsIsNone) {
-    Freedoms surge;
+    DegreesOfFreedom surge;
     surge.along = {true, false, false}, surge.about = {false, false, false};
     Block block({0.2, 0.2, 0.2}, 0.5, {ground, {-Vec3::UnitX(), -0.2}}, 0, surge);
     block.run(0.1, Vec3(1, 0, -g));
@@ -174,7 +175,8 @@ TEST(WallContact, OfLockedMotionsIsNone) {
     EXPECT_NEAR(block.moved().x(), 0.1, 1e-9) << "and the wall stops it";
 }
 
-/// Where water needs room it comes to rest with that between it and the floor, unless it has stood there from the start.
+/// Where water needs room it comes to rest with that between it and the floor, unless it has stood there from the
+/// start.
 TEST(WallContact, KeepsRoomForWaterWhereItHasBeenClear) {
     for (const double lifted : {0.0, 0.005, 0.02, 0.05}) {
         Block block({0.2, 0.2, 0.2}, 0.5, {ground}, lifted);

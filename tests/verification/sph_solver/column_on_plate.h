@@ -17,14 +17,14 @@ inline ElasticSetup strip(double from, double to, double z, int cells, const str
     structure::ShellMesh mesh = structure::plate_mesh(to - from, width, cells, 1);
     for (Vec3& p : mesh.nodes) p += Vec3(from, -width / 2, z);
     structure::Shell shell(mesh, structure::Laminate({{material, 0, thickness}}));
-    structure::Freedoms freedoms(mesh.nodes, 6);
+    structure::DegreesOfFreedom dofs(mesh.nodes, 6);
     for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
         const int node[] = {n};
-        freedoms.hold(node, {1, 3, 5});
-        if (supported(mesh.nodes[static_cast<std::size_t>(n)].x())) freedoms.clamp(node);
+        dofs.hold(node, {1, 3, 5});
+        if (supported(mesh.nodes[static_cast<std::size_t>(n)].x())) dofs.clamp(node);
     }
     return {.structure = ElasticShell{.shell = std::move(shell), .skin = thickness},
-            .freedoms = std::move(freedoms),
+            .dofs = std::move(dofs),
             .width = width};
 }
 

@@ -107,13 +107,13 @@ TEST(ElasticInTank, ABlockIsCompressedAsTheTankHeaves) {
         {2, 1, 16}, [](const Vec3& p) { return Vec3(0.005 * (p.x() - 0.5), p.y() - 0.5, H * (p.z() - 1)); });
     for (const auto& [name, faces] : std::map(mesh.surfaces))
         mesh.surfaces["wet"].insert(mesh.surfaces["wet"].end(), faces.begin(), faces.end());
-    structure::Freedoms freedoms(mesh.nodes, 3);
-    freedoms.clamp(mesh.sets.at("z_min"));
-    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) freedoms.hold(std::vector{n}, {0, 1});
+    structure::DegreesOfFreedom dofs(mesh.nodes, 3);
+    dofs.clamp(mesh.sets.at("z_min"));
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) dofs.hold(std::vector{n}, {0, 1});
     structure::Solid solid(std::move(mesh), {structure::Hyperelastic::saint_venant(E, nu, rho)});
-    const Eigen::VectorXd start = Eigen::VectorXd::Zero(solid.freedoms());
+    const Eigen::VectorXd start = Eigen::VectorXd::Zero(solid.dofs());
     ElasticSetup block{.structure = ElasticSolid{.solid = std::move(solid), .wet = "wet", .start = start},
-                       .freedoms = std::move(freedoms),
+                       .dofs = std::move(dofs),
                        .width = 1};
     block.points = {{"top", Vec3::Zero()}};
     const double found = InTank(std::move(block), slow(false, 1e-3, period)).answer(2e-4),

@@ -34,14 +34,14 @@ struct ColumnOnRubber {
         for (const char* face : {"x_min", "x_max", "z_min", "z_max"})
             mesh.surfaces["wet"].insert(mesh.surfaces["wet"].end(), mesh.surfaces[face].begin(),
                                         mesh.surfaces[face].end());
-        structure::Freedoms freedoms(mesh.nodes, 3);
-        freedoms.clamp(mesh.sets.at("z_min"));
-        for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) freedoms.hold(std::vector{n}, {0, 1});
+        structure::DegreesOfFreedom dofs(mesh.nodes, 3);
+        dofs.clamp(mesh.sets.at("z_min"));
+        for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) dofs.hold(std::vector{n}, {0, 1});
         structure::Solid solid(std::move(mesh), {structure::Hyperelastic::saint_venant(E, nu, rho)});
-        const Eigen::VectorXd start = Eigen::VectorXd::Zero(solid.freedoms());
+        const Eigen::VectorXd start = Eigen::VectorXd::Zero(solid.dofs());
         ElasticSetup block{
             .structure = ElasticSolid{.solid = std::move(solid), .wet = "wet", .start = start},
-            .freedoms = std::move(freedoms),
+            .dofs = std::move(dofs),
             .width = 1,
         };
         block.points = {{"top", Vec3::Zero()}};

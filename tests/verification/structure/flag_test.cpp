@@ -18,7 +18,7 @@ namespace flag_test {
 /// strain, its root on the cylinder. Its weight in the benchmark is 2 N/kg.
 struct Flag {
     Solid solid;
-    Freedoms freedoms;
+    DegreesOfFreedom dofs;
     int end = 0;  ///< the node in the middle of the free end
 
     Flag(int cells, double E)
@@ -28,19 +28,19 @@ struct Flag {
                                return Vec3(root + p.x() * (0.4 - root), 0.01 * p.y(), z);
                            }),
                 {Hyperelastic::saint_venant(E, 0.4, 1000)}),
-          freedoms(solid.mesh().nodes, 3) {
-        freedoms.clamp(solid.mesh().sets.at("x_min"));
-        freedoms.hold(solid.mesh().sets.at("y_min"), {1});
-        freedoms.hold(solid.mesh().sets.at("y_max"), {1});
+          dofs(solid.mesh().nodes, 3) {
+        dofs.clamp(solid.mesh().sets.at("x_min"));
+        dofs.hold(solid.mesh().sets.at("y_min"), {1});
+        dofs.hold(solid.mesh().sets.at("y_max"), {1});
         const auto off = [&](int i) {
             return (solid.mesh().nodes[static_cast<std::size_t>(i)] - Vec3(0.4, 0, 0)).norm();
         };
-        for (int node = 0; 3 * node < solid.freedoms(); ++node)
+        for (int node = 0; 3 * node < solid.dofs(); ++node)
             if (off(node) < off(end)) end = node;
     }
     Eigen::VectorXd weight() const {
-        Eigen::VectorXd load = Eigen::VectorXd::Zero(solid.freedoms());
-        for (int node = 0; 3 * node < solid.freedoms(); ++node) load[3 * node + 2] = -2 * solid.mass()[3 * node];
+        Eigen::VectorXd load = Eigen::VectorXd::Zero(solid.dofs());
+        for (int node = 0; 3 * node < solid.dofs(); ++node) load[3 * node + 2] = -2 * solid.mass()[3 * node];
         return load;
     }
     /// Of the end [m].
@@ -51,10 +51,10 @@ struct Flag {
 Eigen::Vector2d flag(int cells, double E) {
     const Flag f(cells, E);
     const Solid& s = f.solid;
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(s.freedoms());
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(s.dofs());
     for (int step = 1; step <= 2; ++step) {
         const Eigen::VectorXd load = f.weight() * step / 2;
-        u = equilibrium(u, f.freedoms.basis(),
+        u = equilibrium(u, f.dofs.basis(),
                         {[&](const Eigen::VectorXd& at) -> Eigen::VectorXd { return load - s.internal_force(at); },
                          [&](const Eigen::VectorXd& at) { return s.tangent(at); }},
                         1e-6 * load.norm());
@@ -104,9 +104,9 @@ struct Swing {
 /// CSM3: the flag is let go at t = 0 and swings under its weight, without any damping.
 Swing swinging_flag(int cells, double duration, double every) {
     const Flag f(cells, 1.4e6);
-    const Eigen::VectorXd weight = f.weight(), none = Eigen::VectorXd::Zero(f.solid.freedoms());
+    const Eigen::VectorXd weight = f.weight(), none = Eigen::VectorXd::Zero(f.solid.dofs());
     CentralDifference time(
-        f.freedoms.mass(f.solid.mass()), f.freedoms.basis(),
+        f.dofs.mass(f.solid.mass()), f.dofs.basis(),
         [&](const Eigen::VectorXd& u, double) -> Eigen::VectorXd { return weight - f.solid.internal_force(u); });
     const double step = 0.8 * f.solid.explicit_step(none);
     Swing swing{{0}, {Eigen::Vector2d::Zero()}};

@@ -109,7 +109,7 @@ TEST(AngledPlate, BendsAndVibratesAsInAnotherCode) {
         EXPECT_NEAR(w / other, 1, thickness < 0.02 ? 0.01 : 0.03);
     }
     const Shell plate = square_plate(40, stack(0.01));
-    const Freedoms f = supported(plate, "CCCC");
+    const DegreesOfFreedom f = supported(plate, "CCCC");
     const SparseMatrix T = f.basis();
     const Modes modes = lowest_modes(reduced(plate.stiffness(), T), reduced(f.mass(plate.mass()), T), 4);
     const double other[] = {61.28313, 112.8888, 135.1916, 175.2090};

@@ -32,7 +32,7 @@ TEST(LargeRotation, OfTheWholeShellStrainsNothing) {
     for (const double angle : {0.3, 1.7, 3.0}) {
         const Vec3 axis = Vec3(0.3, -1, 0.6).normalized();
         const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-        Eigen::VectorXd u(shell.freedoms());
+        Eigen::VectorXd u(shell.dofs());
         for (int n = 0; 6 * n < u.size(); ++n) {
             const Vec3& X = shell.mesh().nodes[static_cast<std::size_t>(n)];
             u.segment<3>(6 * n) = R * X + Vec3(1, 2, 3) - X;
@@ -48,7 +48,7 @@ TEST(LargeRotation, OfTheWholeShellStrainsNothing) {
 TEST(LargeRotation, ForcesAreBalancedAndTheGradientOfTheEnergy) {
     const Shell shell = strip(3);
     const Corotational turning(shell);
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.freedoms()), wave = u;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dofs()), wave = u;
     for (int n = 0; 6 * n < u.size(); ++n)
         for (int d = 0; d < 6; ++d) wave[6 * n + d] = (d < 3 ? 0.003 : 0.02) * std::sin(3.0 * n + 2.0 * d * d);
     const Vec3 axis = Vec3(0.3, -1, 0.6).normalized();
@@ -88,10 +88,10 @@ TEST(LargeRotation, OfACantileverIsTheElastica) {
     for (const int cells : {10, 20}) {
         const Shell shell = strip(cells);
         const Corotational turning(shell);
-        Freedoms f(shell.mesh().nodes, 6);
+        DegreesOfFreedom f(shell.mesh().nodes, 6);
         f.clamp(shell.mesh().sets.at("x_min"));
         const SparseMatrix T = f.basis();
-        Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.freedoms()), load = u;
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dofs()), load = u;
         for (const auto& [p, deflection, shortening] : table) {
             for (const int n : shell.mesh().sets.at("x_max")) load[6 * n + 2] = p * EI / 2;
             u = equilibrium(
@@ -113,10 +113,10 @@ TEST(LargeRotation, OfACantileverIsTheElastica) {
 TEST(LargeRotation, ByAMomentRollsAStripUpIntoACircle) {
     const Shell shell = strip(20);
     const Corotational turning(shell);
-    Freedoms f(shell.mesh().nodes, 6);
+    DegreesOfFreedom f(shell.mesh().nodes, 6);
     f.clamp(shell.mesh().sets.at("x_min"));
     const SparseMatrix T = f.basis();
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.freedoms()), load = u;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dofs()), load = u;
     for (int k = 1; k <= 20; ++k) {
         for (const int n : shell.mesh().sets.at("x_max")) load[6 * n + 4] = -2 * pi * EI * k / 20 / 2;
         u = equilibrium(
@@ -158,11 +158,11 @@ TEST(LargeRotation, OfAClampedStripPullsAsTheFormula) {
     const double D = E * t * t * t / 12;
     const Shell shell = strip(40);
     const Corotational turning(shell);
-    Freedoms f(shell.mesh().nodes, 6);
+    DegreesOfFreedom f(shell.mesh().nodes, 6);
     f.clamp(shell.mesh().sets.at("x_min"));
     f.clamp(shell.mesh().sets.at("x_max"));
     const SparseMatrix T = f.basis();
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.freedoms());
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(shell.dofs());
     for (const double share : {1.0, 4.0, 16.0}) {
         const double q = share * 384 * D * t;  // would bend it by `share` thicknesses, did it not pull
         const Eigen::VectorXd load = shell.pressure_load(Eigen::VectorXd::Constant(40, -q));
@@ -184,12 +184,12 @@ TEST(LargeRotation, OfAClampedStripPullsAsTheFormula) {
 /// back sooner than the linear one, because it pulls.
 TEST(LargeRotation, InTimeKeepsTheEnergyOfAStripThatPulls) {
     const Shell shell = strip(12);
-    Freedoms f(shell.mesh().nodes, 6);
+    DegreesOfFreedom f(shell.mesh().nodes, 6);
     f.clamp(shell.mesh().sets.at("x_min"));
     f.clamp(shell.mesh().sets.at("x_max"));
     const double omega = 22.3733 * std::sqrt(E * t * t / 12 / 1000), dt = 2 * pi / omega / 200;
     NonlinearAlpha time(shell, f, dt);
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(shell.freedoms());
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(shell.dofs());
     const Eigen::VectorXd none = v;
     for (int n = 0; 6 * n < v.size(); ++n) {
         const double x = shell.mesh().nodes[static_cast<std::size_t>(n)].x();

@@ -15,8 +15,8 @@ inline Shell square_plate(int cells, Laminate laminate) {
 
 /// Supports of the edges x_min, y_min, x_max, y_max: C clamped, S simply supported (no deflection, and no rotation
 /// along the edge), F free. Displacements in the plane are held: small bending of a flat, balanced plate has none.
-inline Freedoms supported(const Shell& plate, const std::string& edges) {
-    Freedoms f(plate.mesh().nodes, 6);
+inline DegreesOfFreedom supported(const Shell& plate, const std::string& edges) {
+    DegreesOfFreedom f(plate.mesh().nodes, 6);
     std::vector<int> all(plate.mesh().nodes.size());
     for (std::size_t n = 0; n < all.size(); ++n) all[n] = static_cast<int>(n);
     f.hold(all, {0, 1, 5});
@@ -34,8 +34,8 @@ inline SparseMatrix reduced(const SparseMatrix& of, const SparseMatrix& basis) {
     return SparseMatrix(basis.transpose() * of * basis);
 }
 
-inline Eigen::VectorXd solved(const Shell& plate, const Freedoms& freedoms, const Eigen::VectorXd& load) {
-    const SparseMatrix basis = freedoms.basis();
+inline Eigen::VectorXd solved(const Shell& plate, const DegreesOfFreedom& dofs, const Eigen::VectorXd& load) {
+    const SparseMatrix basis = dofs.basis();
     const Eigen::SimplicialLDLT<SparseMatrix> solver(reduced(plate.stiffness(), basis));
     return basis * solver.solve(basis.transpose() * load);
 }

@@ -15,7 +15,7 @@ Laminate sheet(double thickness = t) { return Laminate({{isotropic(E, nu, rho), 
 /// The lowest frequencies as omega a^2 sqrt(rho h / D).
 Eigen::VectorXd frequencies(const std::string& edges, int cells, int count) {
     const Shell plate = square_plate(cells, sheet());
-    const Freedoms f = supported(plate, edges);
+    const DegreesOfFreedom f = supported(plate, edges);
     const SparseMatrix T = f.basis();
     return lowest_modes(reduced(plate.stiffness(), T), reduced(f.mass(plate.mass()), T), count).omega *
            std::sqrt(rho * t / D);

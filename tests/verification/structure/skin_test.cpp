@@ -44,7 +44,7 @@ TEST(Skin, HandsForceMomentAndPowerOverWithoutLoss) {
     const Shell shell = curved();
     const Skin skin(shell, 0.05);
     const std::size_t points = skin.reference().points.size();
-    const Eigen::VectorXd raw = some(3 * static_cast<int>(points), 0.3), v = some(shell.freedoms(), 1.1);
+    const Eigen::VectorXd raw = some(3 * static_cast<int>(points), 0.3), v = some(shell.dofs(), 1.1);
     std::vector<Vec3> F(points);
     for (std::size_t k = 0; k < points; ++k) F[k] = raw.segment<3>(3 * static_cast<int>(k));
     const Eigen::VectorXd f = skin.load(F);
@@ -56,7 +56,7 @@ TEST(Skin, HandsForceMomentAndPowerOverWithoutLoss) {
         moment += skin.reference().points[k].cross(F[k]);
         power += F[k].dot(speed[k]);
     }
-    for (int n = 0; 6 * n < shell.freedoms(); ++n) {
+    for (int n = 0; 6 * n < shell.dofs(); ++n) {
         taken += f.segment<3>(6 * n);
         taken_moment +=
             shell.mesh().nodes[static_cast<std::size_t>(n)].cross(f.segment<3>(6 * n)) + f.segment<3>(6 * n + 3);
@@ -71,7 +71,7 @@ TEST(Skin, GoesWithTheShell) {
     const Shell shell = curved();
     const Skin skin(shell, 0.05);
     const Vec3 shift(1, -2, 0.5), turn(1e-3, -2e-3, 5e-4);
-    Eigen::VectorXd u(shell.freedoms());
+    Eigen::VectorXd u(shell.dofs());
     for (int n = 0; 6 * n < u.size(); ++n)
         u.segment<6>(6 * n) << shift + turn.cross(shell.mesh().nodes[static_cast<std::size_t>(n)]), turn;
     const Surface now = skin.now(u);
@@ -96,7 +96,7 @@ TEST(Skin, WaterOnAPlateBendsItAsTheFormula) {
         for (int t = 0; t < static_cast<int>(skin.reference().triangles.size()); ++t)
             pressure.push_back(skin.reference().area_vector2(t).normalized().z() > 0.5 ? 1000 * g * 2 : 0);
         const Eigen::VectorXd load = skin.load(Skin::forces(skin.reference(), pressure)) + plate.weight(Vec3(0, 0, -g));
-        Freedoms f = supported(plate, "CFCF");
+        DegreesOfFreedom f = supported(plate, "CFCF");
         std::vector<int> all;
         for (std::size_t n = 0; n < plate.mesh().nodes.size(); ++n) all.push_back(static_cast<int>(n));
         f.hold(all, {3});  // no bending across

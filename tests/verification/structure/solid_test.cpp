@@ -12,8 +12,9 @@ namespace tw::structure {
 namespace solid_test {
 
 /// The equilibrium under a pressure on one surface, put on in `steps`.
-Eigen::VectorXd pressed(const Solid& s, const Freedoms& f, const std::string& surface, double pressure, int steps) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(s.freedoms());
+Eigen::VectorXd pressed(const Solid& s, const DegreesOfFreedom& f, const std::string& surface, double pressure,
+                        int steps) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(s.dofs());
     const SparseMatrix T = f.basis();
     for (int k = 1; k <= steps; ++k) {
         const double p = pressure * k / steps;
@@ -38,8 +39,8 @@ Solid quarter_ring(int cells, const Hyperelastic& material) {
                             }),
                  {material});
 }
-Freedoms plane_strain(const Solid& s) {
-    Freedoms f(s.mesh().nodes, 3);
+DegreesOfFreedom plane_strain(const Solid& s) {
+    DegreesOfFreedom f(s.mesh().nodes, 3);
     f.hold(s.mesh().sets.at("x_min"), {0});
     f.hold(s.mesh().sets.at("x_max"), {1});
     f.hold(s.mesh().sets.at("z_min"), {2});
@@ -122,9 +123,9 @@ TEST(Solid, MooneyRivlinSphereInflatesAsItsFormula) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
         const Solid s = eighth_of_a_sphere(2 << k, Hyperelastic::mooney_rivlin(C10, C01, 2e9, 1000));
-        Freedoms f(s.mesh().nodes, 3);
+        DegreesOfFreedom f(s.mesh().nodes, 3);
         std::vector<int> inside;
-        for (int node = 0; 3 * node < s.freedoms(); ++node) {
+        for (int node = 0; 3 * node < s.dofs(); ++node) {
             const Vec3& X = s.mesh().nodes[static_cast<std::size_t>(node)];
             for (int d = 0; d < 3; ++d)
                 if (std::abs(X[d]) < 1e-9) f.hold(std::array{node}, {d});
@@ -151,9 +152,9 @@ TEST(Solid, CantileverBendsAsTheBeamOnFineEnoughCells) {
         const int n = 4 << k;
         const Solid s(block_mesh({10 * n, 1, n}, [&](const Vec3& p) { return Vec3(p.x(), h * p.y(), h * p.z()); }),
                       {Hyperelastic::saint_venant(E, 0, 1000)});
-        Freedoms f(s.mesh().nodes, 3);
+        DegreesOfFreedom f(s.mesh().nodes, 3);
         f.hold(s.mesh().sets.at("x_min"), {0, 1, 2});
-        Eigen::VectorXd load = Eigen::VectorXd::Zero(s.freedoms());
+        Eigen::VectorXd load = Eigen::VectorXd::Zero(s.dofs());
         const auto& tip = s.mesh().sets.at("x_max");
         double area = 0;  // shares of the end face
         std::vector<double> share;
@@ -164,7 +165,7 @@ TEST(Solid, CantileverBendsAsTheBeamOnFineEnoughCells) {
         }
         for (std::size_t i = 0; i < tip.size(); ++i) load[3 * tip[i] + 2] = P * share[i] / area;
         const Eigen::VectorXd u =
-            equilibrium(Eigen::VectorXd::Zero(s.freedoms()), f.basis(),
+            equilibrium(Eigen::VectorXd::Zero(s.dofs()), f.basis(),
                         {[&](const Eigen::VectorXd& at) -> Eigen::VectorXd { return load - s.internal_force(at); },
                          [&](const Eigen::VectorXd& at) { return s.tangent(at); }},
                         1e-6 * P);

@@ -17,12 +17,12 @@ Laminate sheet() { return Laminate({{isotropic(7e10, 0.3, 2700), 0, 5e-3}}); }
 
 TEST(AverageAcceleration, KeepsTheEnergyOfAPlateOverTenThousandSteps) {
     const Shell plate = square_plate(6, sheet());
-    const Freedoms f = supported(plate, "CCCC");
+    const DegreesOfFreedom f = supported(plate, "CCCC");
     const SparseMatrix K = plate.stiffness(), M = f.mass(plate.mass());
     GeneralisedAlpha time(K, M, f.basis(), 1e-4);
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(plate.freedoms());
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(plate.dofs());
     v[6 * nearest_node(plate.mesh().nodes, Vec3(0.4, 0.6, 0)) + 2] = 1;  // a blow: all modes ring
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.freedoms());
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.dofs());
     time.start(none, v, none);
     const double first = time.kinetic_energy();
     double worst = 0;
@@ -44,12 +44,12 @@ TEST(AverageAcceleration, KeepsTheEnergyOfAPlateOverTenThousandSteps) {
 /// A mode swings with the frequency that the scheme gives it: tan(omega' dt / 2) = omega dt / 2.
 TEST(AverageAcceleration, SwingsAModeWithTheFrequencyOfItsFormula) {
     const Shell plate = square_plate(6, sheet());
-    const Freedoms f = supported(plate, "CCCC");
+    const DegreesOfFreedom f = supported(plate, "CCCC");
     const SparseMatrix K = plate.stiffness(), M = f.mass(plate.mass()), T = f.basis();
     const Modes modes = lowest_modes(reduced(K, T), reduced(M, T), 1);
     const double omega = modes.omega[0], dt = 0.5 / omega, swings = 2 / dt * std::atan(omega * dt / 2);
     GeneralisedAlpha time(K, M, T, dt);
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.freedoms());
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.dofs());
     const Eigen::VectorXd shape = T * modes.shapes.col(0);
     time.start(shape, none, none);
     for (int k = 1; k <= 200; ++k) {
@@ -63,9 +63,9 @@ TEST(AverageAcceleration, SwingsAModeWithTheFrequencyOfItsFormula) {
 /// A state put back goes on to the same bits.
 TEST(AverageAcceleration, GoesOnFromAStateToTheSameBits) {
     const Shell plate = square_plate(4, sheet());
-    const Freedoms f = supported(plate, "CFFF");
+    const DegreesOfFreedom f = supported(plate, "CFFF");
     const SparseMatrix K = plate.stiffness(), M = f.mass(plate.mass());
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.freedoms());
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(plate.dofs());
     const Eigen::VectorXd load = plate.pressure_load(Eigen::VectorXd::LinSpaced(16, 0, 1000));
     GeneralisedAlpha one(K, M, f.basis(), 1e-4), two(K, M, f.basis(), 1e-4);
     one.start(none, none, load);
@@ -83,7 +83,7 @@ TEST(AverageAcceleration, GoesOnFromAStateToTheSameBits) {
 /// the plate alone moves the common centre of mass by Newton's law.
 TEST(AverageAcceleration, PlateOnADropMassFallsUnstrainedAndKeepsMomentum) {
     const Shell plate = square_plate(6, sheet());
-    Freedoms f(plate.mesh().nodes, 6);
+    DegreesOfFreedom f(plate.mesh().nodes, 6);
     const auto frame = f.carry({.centre = Vec3(0.5, 0.5, 0.2),
                                 .mass = 20,
                                 .inertia = Vec3(1, 1, 2).asDiagonal(),
@@ -107,7 +107,7 @@ TEST(AverageAcceleration, PlateOnADropMassFallsUnstrainedAndKeepsMomentum) {
     for (int k = 0; k < 100; ++k) pushed.step(push);
     const Eigen::VectorXd p = M * pushed.velocity();
     double momentum = p[f.first_of_part(frame) + 2];
-    for (int n = 0; 6 * n < plate.freedoms(); ++n) momentum += p[6 * n + 2];
+    for (int n = 0; 6 * n < plate.dofs(); ++n) momentum += p[6 * n + 2];
     EXPECT_NEAR(momentum, 100 * 0.1, 1e-8);
     EXPECT_GT(pushed.elastic_energy(), 1e-6);
 }
@@ -117,19 +117,19 @@ Solid bar() {
     return Solid(block_mesh({1, 1, 4}, [](const Vec3& p) { return Vec3(0.1 * p.x(), 0.1 * p.y(), 0.4 * p.z()); }),
                  {Hyperelastic::mooney_rivlin(3e5, 1e5, 5e7, 1100)});
 }
-Freedoms held(const Solid& s) {
-    Freedoms f(s.mesh().nodes, 3);
+DegreesOfFreedom held(const Solid& s) {
+    DegreesOfFreedom f(s.mesh().nodes, 3);
     f.clamp(s.mesh().sets.at("z_min"));
     return f;
 }
 
 TEST(CentralDifference, KeepsTheEnergyOfSwingingRubberOverTenThousandSteps) {
     const Solid s = bar();
-    const Freedoms f = held(s);
+    const DegreesOfFreedom f = held(s);
     CentralDifference time(f.mass(s.mass()), f.basis(),
                            [&](const Eigen::VectorXd& u, double) -> Eigen::VectorXd { return -s.internal_force(u); });
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(s.freedoms());
-    for (int n = 0; 3 * n < s.freedoms(); ++n) {
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(s.dofs());
+    for (int n = 0; 3 * n < s.dofs(); ++n) {
         const Vec3& X = s.mesh().nodes[static_cast<std::size_t>(n)];
         v.segment<3>(3 * n) = X.z() * Vec3(-10 * (X.y() - 0.05) + 2, 10 * (X.x() - 0.05), 4);
     }
@@ -154,9 +154,9 @@ TEST(CentralDifference, KeepsTheEnergyOfSwingingRubberOverTenThousandSteps) {
 /// The elements' limit holds for the whole, and does not waste more than a factor of two.
 TEST(CentralDifference, StepLimitIsSafeAndNear) {
     const Solid s = bar();
-    const Freedoms f = held(s);
+    const DegreesOfFreedom f = held(s);
     const SparseMatrix T = f.basis();
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.freedoms());
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.dofs());
     const Eigen::MatrixXd K = reduced(s.tangent(none), T), M = reduced(f.mass(s.mass()), T);
     const double highest =
         std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K, M).eigenvalues().maxCoeff());
@@ -180,7 +180,7 @@ TEST(CentralDifference, StepLimitIsSafeAndNear) {
     EXPECT_LT(sound.kinetic_energy(), 10 * before);
 
     const Shell plate = square_plate(4, sheet());
-    const Freedoms free = supported(plate, "CFFF");
+    const DegreesOfFreedom free = supported(plate, "CFFF");
     const SparseMatrix B = free.basis();
     const Eigen::MatrixXd K_plate = reduced(plate.stiffness(), B), M_plate = reduced(free.mass(plate.mass()), B);
     const double plate_highest =
@@ -191,10 +191,10 @@ TEST(CentralDifference, StepLimitIsSafeAndNear) {
 /// A state put back goes on to the same bits.
 TEST(CentralDifference, GoesOnFromAStateToTheSameBits) {
     const Solid s = bar();
-    const Freedoms f = held(s);
+    const DegreesOfFreedom f = held(s);
     const auto force = [&](const Eigen::VectorXd& u, double) -> Eigen::VectorXd { return -s.internal_force(u); };
     CentralDifference one(f.mass(s.mass()), f.basis(), force), two(f.mass(s.mass()), f.basis(), force);
-    one.set_velocity(Eigen::VectorXd::LinSpaced(s.freedoms(), 0, 0.1));
+    one.set_velocity(Eigen::VectorXd::LinSpaced(s.dofs(), 0, 0.1));
     const double dt = s.explicit_step(one.displacement()) / 2;
     one.advance(20 * dt, dt);
     two.set_state(one.state());

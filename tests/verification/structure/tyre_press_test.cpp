@@ -26,10 +26,10 @@ TEST(PlaneContact, BearsTheLoadAtTheDepthThatItsStiffnessSays) {
     const Solid cube(block_mesh({3, 3, 3}, [](const Vec3& at) { return Vec3(0.1 * at); }),
                      {Hyperelastic::neo_hookean(1e6, 0.0, 1000)});
     const PlaneContact plane(cube, "z_min", 0, k);
-    Freedoms f(cube.mesh().nodes, 3);
-    for (int n = 0; 3 * n < cube.freedoms(); ++n) f.hold(std::vector{n}, {0, 1});
-    VectorXd start = VectorXd::Zero(cube.freedoms());
-    for (int n = 0; 3 * n < cube.freedoms(); ++n) start[3 * n + 2] = -1e-6;
+    DegreesOfFreedom f(cube.mesh().nodes, 3);
+    for (int n = 0; 3 * n < cube.dofs(); ++n) f.hold(std::vector{n}, {0, 1});
+    VectorXd start = VectorXd::Zero(cube.dofs());
+    for (int n = 0; 3 * n < cube.dofs(); ++n) start[3 * n + 2] = -1e-6;
     const VectorXd u =
         equilibrium(start, f.basis(),
                     {[&](const VectorXd& at) -> VectorXd {
@@ -42,7 +42,7 @@ TEST(PlaneContact, BearsTheLoadAtTheDepthThatItsStiffnessSays) {
     EXPECT_NEAR(plane.total(u), p * 0.01, 1e-6 * p * 0.01);
     EXPECT_NEAR(plane.energy(u), p * p / k / 2 * 0.01, 1e-6 * p * p / k / 2 * 0.01);
     EXPECT_NEAR(u[2], -p / k, 1e-9);
-    EXPECT_EQ(plane.force(VectorXd::Zero(cube.freedoms())).norm(), 0) << "a body that only touches is not pushed";
+    EXPECT_EQ(plane.force(VectorXd::Zero(cube.dofs())).norm(), 0) << "a body that only touches is not pushed";
 }
 
 /// Blown up alike all round is blown up in balance: nothing of the whole tyre is out of balance but its rim.
@@ -52,7 +52,7 @@ TEST(TyreStatic, BlownUpOfOneSectionIsInBalanceAllRound) {
     const double p = 1.38e5;
     const Solid s(tyre_mesh(t), calibrated());
     const VectorXd u = blown_up(t, calibrated(), p);
-    Freedoms f(s.mesh().nodes, 3);
+    DegreesOfFreedom f(s.mesh().nodes, 3);
     f.clamp(s.mesh().sets.at("rim"));
     const VectorXd load = s.pressure_load(u, "inside", p);
     EXPECT_LT((f.basis().transpose() * VectorXd(load - s.internal_force(u))).norm(), 1e-6 * load.norm());

@@ -24,10 +24,10 @@ TEST(Tyre, IsBlownUpByItsPressure) {
     t.across = 12;
     t.through_rubber = 1;
     const Solid s(tyre_mesh(t), rubbers());
-    Freedoms f(s.mesh().nodes, 3);
+    DegreesOfFreedom f(s.mesh().nodes, 3);
     f.clamp(s.mesh().sets.at("rim"));
     const SparseMatrix T = f.basis();
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(s.freedoms());
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(s.dofs());
     for (int k = 1; k <= 4; ++k) {
         const double p = 1.38e5 * k / 4;
         u = equilibrium(u, T,
@@ -40,7 +40,7 @@ TEST(Tyre, IsBlownUpByItsPressure) {
                         1e-6);
     }
     double before = 0, after = 0;
-    for (int n = 0; 3 * n < s.freedoms(); ++n) {
+    for (int n = 0; 3 * n < s.dofs(); ++n) {
         const Vec3 X = s.mesh().nodes[static_cast<std::size_t>(n)], x = X + u.segment<3>(3 * n);
         before = std::max(before, std::hypot(X.x(), X.z()));
         after = std::max(after, std::hypot(x.x(), x.z()));
@@ -50,7 +50,7 @@ TEST(Tyre, IsBlownUpByItsPressure) {
     EXPECT_LT(after, 1.3 * before);
     Vec3 sum = Vec3::Zero();
     const Eigen::VectorXd f_inside = s.pressure_load(u, "inside", 1.38e5);
-    for (int n = 0; 3 * n < s.freedoms(); ++n) sum += f_inside.segment<3>(3 * n);
+    for (int n = 0; 3 * n < s.dofs(); ++n) sum += f_inside.segment<3>(3 * n);
     EXPECT_LT(sum.norm(), 1e-6 * f_inside.norm());
 }
 

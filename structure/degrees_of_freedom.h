@@ -24,9 +24,9 @@ struct RigidPart {
 /// Which displacements (and, of shells, rotations) of a structure are unknown. "All" are the nodes' `per_node` each (3:
 /// displacements; 6: and rotations), node by node, then as many of each rigid part. The unknown ones are what supports
 /// and rigid parts leave.
-class Freedoms {
+class DegreesOfFreedom {
 public:
-    Freedoms(const std::vector<Vec3>& nodes, int per_node);
+    DegreesOfFreedom(const std::vector<Vec3>& nodes, int per_node);
 
     /// Holds the degrees of freedom `which` (0 to per_node - 1) of the nodes. Throws InputError for a freedom or node
     /// that is none.

@@ -1,4 +1,4 @@
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 namespace tw::structure {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-Freedoms::Freedoms(const std::vector<Vec3>& nodes, int per_node)
+DegreesOfFreedom::DegreesOfFreedom(const std::vector<Vec3>& nodes, int per_node)
     : nodes_(nodes),
       per_node_(per_node),
       held_(nodes.size() * static_cast<std::size_t>(per_node)),
       carrier_(nodes.size(), -1) {}
 
-void Freedoms::hold(std::span<const int> nodes, std::initializer_list<int> which) {
+void DegreesOfFreedom::hold(std::span<const int> nodes, std::initializer_list<int> which) {
     for (const int n : nodes)
         for (const int d : which) {
             if (n < 0 || n >= static_cast<int>(nodes_.size()) || d < 0 || d >= per_node_)
@@ -26,14 +26,14 @@ void Freedoms::hold(std::span<const int> nodes, std::initializer_list<int> which
         }
 }
 
-void Freedoms::clamp(std::span<const int> nodes) {
+void DegreesOfFreedom::clamp(std::span<const int> nodes) {
     hinge(nodes);
     if (per_node_ == 6) hold(nodes, {3, 4, 5});
 }
 
-void Freedoms::hinge(std::span<const int> nodes) { hold(nodes, {0, 1, 2}); }
+void DegreesOfFreedom::hinge(std::span<const int> nodes) { hold(nodes, {0, 1, 2}); }
 
-int Freedoms::carry(RigidPart part) {
+int DegreesOfFreedom::carry(RigidPart part) {
     const int number = static_cast<int>(parts_.size());
     if (!(std::isfinite(part.mass) && part.mass >= 0))
         throw InputError(fmt::format("rigid part {}: mass {} kg; expected 0 or more", number + 1, part.mass));
@@ -52,7 +52,7 @@ int Freedoms::carry(RigidPart part) {
     return number;
 }
 
-SparseMatrix Freedoms::basis() const {
+SparseMatrix DegreesOfFreedom::basis() const {
     Triplets entries;
     int unknowns = 0;
     std::vector<std::array<int, 6>> of_part(parts_.size());  // the unknown of each degree of freedom; -1 held
@@ -88,25 +88,25 @@ SparseMatrix Freedoms::basis() const {
     return T;
 }
 
-Eigen::VectorXd Freedoms::translation(const Vec3& v) const {
+Eigen::VectorXd DegreesOfFreedom::translation(const Vec3& v) const {
     Eigen::VectorXd moved = Eigen::VectorXd::Zero(all());
     for (int first = 0; first < all(); first += per_node_) moved.segment<3>(first) = v;
     return moved;
 }
 
-Eigen::VectorXd Freedoms::widened(const Eigen::VectorXd& of_nodes) const {
+Eigen::VectorXd DegreesOfFreedom::widened(const Eigen::VectorXd& of_nodes) const {
     Eigen::VectorXd wide = Eigen::VectorXd::Zero(all());
     wide.head(of_nodes.size()) = of_nodes;
     return wide;
 }
 
-SparseMatrix Freedoms::widened(const SparseMatrix& of_nodes) const {
+SparseMatrix DegreesOfFreedom::widened(const SparseMatrix& of_nodes) const {
     SparseMatrix wide = of_nodes;
     wide.conservativeResize(all(), all());
     return wide;
 }
 
-SparseMatrix Freedoms::mass(const Eigen::VectorXd& of_nodes) const {
+SparseMatrix DegreesOfFreedom::mass(const Eigen::VectorXd& of_nodes) const {
     Triplets entries;
     for (int i = 0; i < static_cast<int>(of_nodes.size()); ++i) entries.emplace_back(i, i, of_nodes[i]);
     for (std::size_t p = 0; p < parts_.size(); ++p) {

@@ -1,15 +1,15 @@
-#include "structure/freedoms.h"
+#include "structure/degrees_of_freedom.h"
 
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
 
 namespace tw::structure {
-namespace freedoms_test {
+namespace degrees_of_freedom_test {
 const std::vector<Vec3> nodes{{0, 0, 0}, {1, 0, 0}, {1, 2, 0.5}, {0, 1, 0}};
 
-TEST(Freedoms, OfARigidPartCarryItsNodesAlong) {
-    Freedoms f(nodes, 6);
+TEST(DegreesOfFreedom, OfARigidPartCarryItsNodesAlong) {
+    DegreesOfFreedom f(nodes, 6);
     f.clamp(std::array{0});
     RigidPart part;
     part.centre = Vec3(0.3, -0.2, 0.7);
@@ -32,8 +32,8 @@ TEST(Freedoms, OfARigidPartCarryItsNodesAlong) {
     EXPECT_LT((u.segment<3>(f.first_of_part(number)) - shift).norm(), 1e-14);
 }
 
-TEST(Freedoms, OfAHingedPartLeaveTheNodesRotationsFree) {
-    Freedoms f(nodes, 6);
+TEST(DegreesOfFreedom, OfAHingedPartLeaveTheNodesRotationsFree) {
+    DegreesOfFreedom f(nodes, 6);
     RigidPart part;
     part.mass = 1;
     part.nodes = {0, 1, 2, 3};
@@ -48,8 +48,8 @@ TEST(Freedoms, OfAHingedPartLeaveTheNodesRotationsFree) {
 }
 
 /// A rigid motion's kinetic energy is that of all masses: 1/2 m v^2 + 1/2 I omega^2 about the common centre.
-TEST(Freedoms, MassOfNodesOnARigidPartIsThatOfTheWhole) {
-    Freedoms f(nodes, 6);
+TEST(DegreesOfFreedom, MassOfNodesOnARigidPartIsThatOfTheWhole) {
+    DegreesOfFreedom f(nodes, 6);
     RigidPart part;
     part.centre = Vec3(0.5, 0.5, 0);
     part.mass = 3;
@@ -67,27 +67,27 @@ TEST(Freedoms, MassOfNodesOnARigidPartIsThatOfTheWhole) {
     EXPECT_NEAR(m(5, 5), I_zz, 1e-14);
 }
 
-TEST(Freedoms, RefuseWhatCannotBe) {
+TEST(DegreesOfFreedom, RefuseWhatCannotBe) {
     const auto refuses = [](auto&& change) {
-        Freedoms f(nodes, 6);
+        DegreesOfFreedom f(nodes, 6);
         try {
             change(f);
             f.basis();
         } catch (const InputError&) { return true; }
         return false;
     };
-    EXPECT_FALSE(refuses([](Freedoms& f) { f.clamp(std::array{0}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) { f.clamp(std::array{4}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) { f.hold(std::array{0}, {6}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) { f.clamp(std::array{0, 1, 2, 3}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) { f.carry({.mass = 1, .nodes = {}}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) { f.carry({.mass = 1, .nodes = {4}}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) { f.carry({.mass = -1, .nodes = {0}}); }));
-    EXPECT_TRUE(refuses([](Freedoms& f) {
+    EXPECT_FALSE(refuses([](DegreesOfFreedom& f) { f.clamp(std::array{0}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) { f.clamp(std::array{4}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) { f.hold(std::array{0}, {6}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) { f.clamp(std::array{0, 1, 2, 3}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) { f.carry({.mass = 1, .nodes = {}}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) { f.carry({.mass = 1, .nodes = {4}}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) { f.carry({.mass = -1, .nodes = {0}}); }));
+    EXPECT_TRUE(refuses([](DegreesOfFreedom& f) {
         f.carry({.mass = 1, .nodes = {0}});
         f.carry({.mass = 1, .nodes = {1, 0}});
     }));
 }
 
-}  // namespace freedoms_test
+}  // namespace degrees_of_freedom_test
 }  // namespace tw::structure

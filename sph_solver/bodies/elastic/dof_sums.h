@@ -9,11 +9,11 @@ namespace tw {
 
 /// Sums of forces or impulses on the degrees of freedom of a structure, the same in whatever order dummies and
 /// particles bring them.
-class FreedomSums {
+class DofSums {
 public:
-    FreedomSums() = default;
-    explicit FreedomSums(Eigen::Index freedoms) : sums_(static_cast<std::size_t>(freedoms)) {}
-    explicit FreedomSums(const Eigen::VectorXd& value) : FreedomSums(value.size()) {
+    DofSums() = default;
+    explicit DofSums(Eigen::Index dofs) : sums_(static_cast<std::size_t>(dofs)) {}
+    explicit DofSums(const Eigen::VectorXd& value) : DofSums(value.size()) {
         for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k] += value[static_cast<Eigen::Index>(k)];
     }
     /// To three degrees of freedom from `first` on.
