@@ -17,7 +17,7 @@ public:
     /// Gives where it is. What it holds is lost.
     virtual void* resize(std::size_t bytes) = 0;
     virtual void set_zero() = 0;
-    virtual void give(void* to, std::size_t bytes) const = 0;
+    virtual void download(void* to, std::size_t bytes) const = 0;
     virtual std::size_t bytes() const = 0;
 };
 
@@ -58,15 +58,15 @@ public:
         return at;
     }
     T* data() const { return at_; }  ///< where the loops run; null: it was never used
-    /// What it holds here, which a device is asked for.
+    /// A copy on the host of what it holds.
     const std::vector<T>& copy_to_host() {
         if (there_) {
             here_.resize(size_);
-            there_->give(here_.data(), size_ * sizeof(T));
+            there_->download(here_.data(), size_ * sizeof(T));
         }
         return here_;
     }
-    const std::vector<T>& home() const { return here_; }  ///< as it was brought
+    const std::vector<T>& on_host() const { return here_; }  ///< as copied last
     std::size_t bytes() const { return here_.capacity() * sizeof(T) + (there_ ? there_->bytes() : 0); }
 
 private:

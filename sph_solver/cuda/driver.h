@@ -73,7 +73,7 @@ public:
     /// Empty for ever, unless it gets a device.
     Array() = default;
     void live_on(Device& device) { device_ = &device; }
-    ~Array() { give_back(); }
+    ~Array() { release(); }
     Array(Array&& other) noexcept
         : device_(other.device_), at_(other.at_), size_(other.size_), capacity_(other.capacity_) {
         other.at_ = 0, other.size_ = other.capacity_ = 0;
@@ -91,7 +91,7 @@ public:
             if (n > 0) device_->forget(at_, n * sizeof(T));
             return;
         }
-        give_back();
+        release();
         capacity_ = n + n / 8;
         at_ = device_->allocate(capacity_ * sizeof(T));
     }
@@ -108,16 +108,16 @@ public:
     void swap(Array& other) noexcept {
         std::swap(at_, other.at_), std::swap(size_, other.size_), std::swap(capacity_, other.capacity_);
     }
-    void take(std::span<const T> from) {
+    void upload(std::span<const T> from) {
         resize(from.size());
         if (size_ > 0) device_->to_device(at_, from.data(), size_ * sizeof(T));
     }
     /// Into as many elements of the host, from the first or another one on.
-    void give(std::span<T> to, std::size_t first = 0) const {
+    void download(std::span<T> to, std::size_t first = 0) const {
         if (!to.empty()) device_->to_host(to.data(), at_ + first * sizeof(T), to.size() * sizeof(T));
     }
     /// Over those from one on.
-    void put(std::span<const T> from, std::size_t first) {
+    void upload_at(std::span<const T> from, std::size_t first) {
         if (!from.empty()) device_->to_device(at_ + first * sizeof(T), from.data(), from.size_bytes());
     }
     void copy(const Array& other) {
@@ -126,7 +126,7 @@ public:
     }
     T value(std::size_t k) const {
         T one;
-        give(std::span(&one, 1), k);
+        download(std::span(&one, 1), k);
         return one;
     }
     void set_zero() {
@@ -134,7 +134,7 @@ public:
     }
 
 private:
-    void give_back() {
+    void release() {
         if (at_) device_->release(at_);
         at_ = 0, capacity_ = 0;
     }

@@ -42,7 +42,7 @@ public:
     double largest_step(const LevelSetup&, double h) const override {
         return 0.125 * h * h / std::max(largest_, o_.kinematic);
     }
-    const std::vector<WallLoad>& wall_loads() const override { return wall_load_.home(); }
+    const std::vector<WallLoad>& wall_loads() const override { return wall_load_.on_host(); }
     std::size_t bytes() const override {
         return mu_.bytes() + strain_.bytes() + wall_velocity_.bytes() + motion_.bytes() + wall_load_.bytes();
     }

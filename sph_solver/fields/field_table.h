@@ -59,7 +59,7 @@ class FieldTable {
 public:
     bool has(With what) const { return (have_ & static_cast<unsigned>(what)) == static_cast<unsigned>(what); }
     /// From now on the level has that as well.
-    void bring(With what) {
+    void allocate(With what) {
         have_ |= static_cast<unsigned>(what);
         const std::size_t n = particles();
         each([&](AnyField& f) {
@@ -67,7 +67,7 @@ public:
         });
     }
     /// What `other` has.
-    void bring_all_of(const FieldTable& other) { bring(static_cast<With>(other.have_)); }
+    void allocate_as(const FieldTable& other) { allocate(static_cast<With>(other.have_)); }
 
     /// What is saved of other particles, and nothing else of these.
     void copy_saved_of(const FieldTable& other) {

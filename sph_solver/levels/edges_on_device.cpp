@@ -14,7 +14,7 @@ template <class Label>
 void LevelOnDevice::label_all(const cuda::LabelKnown<Label>& task, const Zone& zone) {
     Arrays& on = *on_;
     cuda::launch(*device_, task, on.p.size());
-    home_ = false;
+    on_host_ = false;
     const auto asked = static_cast<std::size_t>(on.count.value(0));
     if (asked == 0) return;
     const std::vector<Located> at = located(task.unknown, asked);
@@ -23,12 +23,12 @@ void LevelOnDevice::label_all(const cuda::LabelKnown<Label>& task, const Zone& z
         const V3<double>& x = at[k].place;
         outside[k] = zone.outside({x.x, x.y, x.z});
     });
-    on.asked_outside.take(outside);
+    on.asked_outside.upload(outside);
     cuda::launch(*device_, cuda::LabelAsked<Label>{task, on.asked_outside.data()}, asked);
 }
 
 void LevelOnDevice::label(const AskEdge& ask, LabelCoarse label, const Zone& zone) {
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     Arrays& on = *on_;
     on.at_edge.resize(on.p.size()), on.outside.resize(on.p.size());
     on.count.set_zero();
@@ -57,7 +57,7 @@ std::size_t LevelOnDevice::list_marked_own() {
 
 EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const Zone& zone, EdgeSteps& coarser,
                                       const Asking& asking) {
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     on.at_edge.resize(n), on.outside.resize(n), on.gone_at_edge.resize(n);
@@ -80,7 +80,7 @@ EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const
                                  .left = on.left_zone.data()},
                  leaving);
     std::vector<cuda::Left> left(leaving);
-    on.left_zone.give(left);
+    on.left_zone.download(left);
     Spray spray;
     for (const cuda::Left& l : left) {
         spray.count += l.stays;
@@ -93,7 +93,7 @@ EdgeSteps::Spray LevelOnDevice::label(const AskEdge& ask, LabelFine label, const
 std::int64_t LevelOnDevice::remove_gone(const std::vector<std::size_t>& more) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
-    on.which.take(std::vector<int>(more.begin(), more.end()));
+    on.which.upload(std::vector<int>(more.begin(), more.end()));
     cuda::launch(*device_, cuda::MarkGone{on.which.data(), on.gone_at_edge.data()}, more.size());
     cuda::launch(*device_, cuda::MarkStaying{on.gone_at_edge.data(), or_null(on.own), on.following.of(n)}, n);
     const std::size_t staying = list_marked();
@@ -115,14 +115,14 @@ void LevelOnDevice::keep(std::size_t marked) {
     cuda::launch(*device_, cuda::Reorder{on.which.data(), on.p.all(), on.sorted.all()}, marked);
     on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
     level_.particles.resize(marked);
-    home_ = false;
+    on_host_ = false;
     if (!shared()) return;
     const std::size_t pencils = on.start.size();
     on.new_start.resize(pencils);
     cuda::launch(*device_, cuda::StartMarked{on.start.data(), on.following.before(), on.new_start.data()}, pencils);
-    on.new_start.give(level_.near.start);
+    on.new_start.download(level_.near.start);
     share_.note_let_go(marked);
-    take_own();
+    upload_own();
 }
 
 std::vector<Parent> LevelOnDevice::find_parents(double within) {
@@ -135,8 +135,8 @@ std::vector<Parent> LevelOnDevice::find_parents(double within) {
     on.parents.resize(parents.size());
     cuda::launch(*device_, cuda::TakeParents{on.p.view(), on.p.daughters.data(), on.which.data(), on.parents.data()},
                  parents.size());
-    on.parents.give(parents);
-    home_ = false;
+    on.parents.download(parents);
+    on_host_ = false;
     if (shared())
         std::erase_if(parents, [&](const Parent& p) { return !share_.owns(static_cast<std::size_t>(p.index)); });
     return parents;
@@ -145,11 +145,11 @@ std::vector<Parent> LevelOnDevice::find_parents(double within) {
 /// The first `n` of a list, with their places.
 std::vector<Located> LevelOnDevice::located(const int* which, std::size_t n) {
     Arrays& on = *on_;
-    std::vector<Located> home(n);
+    std::vector<Located> on_host(n);
     on.located.resize(n);
     cuda::launch(*device_, cuda::TakeLocated{on.p.view(), which, on.located.data()}, n);
-    on.located.give(home);
-    return home;
+    on.located.download(on_host);
+    return on_host;
 }
 
 std::vector<Located> LevelOnDevice::marked() {
@@ -177,25 +177,25 @@ void LevelOnDevice::add(const std::vector<Child>& daughters) {
     }
     const std::size_t n = on.p.size();
     level_.particles.resize(n + daughters.size());
-    on.p.each_moving_with(level_.particles, [](auto& field, const auto& at_home) { field.grow(at_home.size()); });
-    on.daughters.take(daughters);
+    on.p.each_moving_with(level_.particles, [](auto& field, const auto& on_host) { field.grow(on_host.size()); });
+    on.daughters.upload(daughters);
     cuda::launch(*device_, cuda::AddChildren{on.daughters.data(), on.p.all(), n}, daughters.size());
-    if (shared()) share_.own_added(), take_own();
-    home_ = false;
+    if (shared()) share_.own_added(), upload_own();
+    on_host_ = false;
 }
 
 void LevelOnDevice::forget_edge(With whose) {
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     cuda::Array<EdgeDistance>& known = whose == With::coarser ? on_->p.from_edge : on_->p.from_finer_edge;
     cuda::launch(*device_, cuda::ForgetEdge{known.data()}, known.size());
-    home_ = false;
+    on_host_ = false;
 }
 
 // --- who follows
 // ------------------------------------------------------------------------------------------------------
 
 std::size_t LevelOnDevice::list_following(bool buffers) {
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     cuda::launch(*device_, cuda::MarkFollowing{on.p.kind.data(), buffers, on.following.of(n)}, n);
@@ -206,7 +206,7 @@ std::size_t LevelOnDevice::list_following(bool buffers) {
 template <class Task>
 std::int64_t LevelOnDevice::hand(const Task& task, std::size_t n) {
     cuda::launch(*device_, task, n);
-    home_ = false;
+    on_host_ = false;
     return on_->orphans.add_up();
 }
 

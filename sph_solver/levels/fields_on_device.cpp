@@ -14,8 +14,8 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     cuda::Array<int> pencil(d);
     cuda::Array<float> p(d), support(d);
     ListsOnDevice lists(d);
-    places.take(points.places), clusters.take(points.clusters);
-    pencil.take(pencils_of(points.clusters, points.start));
+    places.upload(points.places), clusters.upload(points.clusters);
+    pencil.upload(pencils_of(points.clusters, points.start));
     p.resize(n), support.resize(n);
     p.set_zero(), support.set_zero();  // at those of other ranks nothing is found
     lists.build(level_.grid, level_.grid, places.data(), pencil, clusters, sources(),
@@ -25,7 +25,7 @@ void LevelOnDevice::sample(SortedPlaces& points, const ExtrapolateData& to) {
     e.list = lists.view();
     e.at = places.data(), e.p = p.data(), e.support = support.data();
     cuda::launch_pairs(*device_, e, clusters);
-    p.give(std::span(to.p, n)), support.give(std::span(to.support, n));
+    p.download(std::span(to.p, n)), support.download(std::span(to.support, n));
 }
 
 /// Copies what counts of the level's particles and images to arrays of its own, where neighbours can be looked for.
@@ -100,15 +100,15 @@ cuda::FoundAt LevelOnDevice::ask_ranks(EdgeSteps& level, double ahead, const Ask
     on.places_ahead.resize(n);
     cuda::launch(*device_, cuda::PlacesAhead{on.p.view(), ahead, on.which.data(), on.places_ahead.data()}, n);
     std::vector<V3<double>> places(n);
-    on.places_ahead.give(places);
+    on.places_ahead.download(places);
     FieldsAt at{asking};
     for (const V3<double>& x : places) at.places.emplace_back(x.x, x.y, x.z);
     level.interpolate(at);
     std::vector<int> order(n);
     std::iota(order.begin(), order.end(), 0);
-    on.found_order.take(order);
-    on.found_value.take(at.value), on.found_support.take(at.support), on.found_mean.take(at.mean_support);
-    on.found_compression.take(at.compression);
+    on.found_order.upload(order);
+    on.found_value.upload(at.value), on.found_support.upload(at.support), on.found_mean.upload(at.mean_support);
+    on.found_compression.upload(at.compression);
     return {on.found_order.data(), on.found_value.data(), on.found_support.data(), on.found_mean.data(),
             or_null(on.found_compression)};
 }
@@ -127,12 +127,12 @@ void LevelOnDevice::interpolate_here(FieldsAt& at) {
     Arrays& on = *on_;
     std::vector<WidePlace> wide;
     for (const Vec3& x : at.places) wide.push_back(level_.fixed_point.wide(x));
-    on.wide_of_others.take(wide);
+    on.wide_of_others.upload(wide);
     const cuda::FoundAt found = ask(on.wide_of_others, at);
     on.given.resize(wide.size());
     cuda::launch(*device_, cuda::HandToHost{found, on.given.data()}, wide.size());
     std::vector<Given> given(wide.size());
-    on.given.give(given);
+    on.given.download(given);
     for (std::size_t k = 0; k < given.size(); ++k) at.take(k, given[k]);
 }
 

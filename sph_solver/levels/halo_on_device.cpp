@@ -6,9 +6,9 @@
 
 namespace tw {
 
-void HaloOnDevice::take(const Halo& halo) {
+void HaloOnDevice::set(const Halo& halo) {
     halo_ = &halo;
-    sent_.take(halo.all_sent()), received_.take(halo.all_received());
+    sent_.upload(halo.all_sent()), received_.upload(halo.all_received());
 }
 
 void HaloOnDevice::exchange(std::initializer_list<cuda::PartOfEach> parts) {
@@ -20,8 +20,8 @@ void HaloOnDevice::exchange(std::initializer_list<cuda::PartOfEach> parts) {
     message.which = sent_.data(), message.at = out_.data();
     cuda::launch(*device_, cuda::PackMessage{message}, sent_.size());
     std::vector<std::byte> packed(out_.size());
-    out_.give(packed);
-    in_.take(halo_->exchange_packed(bytes, packed));
+    out_.download(packed);
+    in_.upload(halo_->exchange_packed(bytes, packed));
     message.which = received_.data(), message.at = in_.data();
     cuda::launch(*device_, cuda::UnpackMessage{message}, received_.size());
 }

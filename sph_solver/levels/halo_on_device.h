@@ -24,7 +24,7 @@ public:
     explicit HaloOnDevice(cuda::Device& device)
         : device_(&device), sent_(device), received_(device), out_(device), in_(device) {}
     /// Whom it exchanges with from now on; `halo` must outlive it.
-    void take(const Halo& halo);
+    void set(const Halo& halo);
     bool is(const Halo& halo) const { return halo_ == &halo; }
     void exchange(std::initializer_list<cuda::PartOfEach> parts);
     std::size_t bytes() const { return sent_.bytes() + received_.bytes() + out_.bytes() + in_.bytes(); }

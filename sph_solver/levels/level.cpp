@@ -19,7 +19,7 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       schedule_(schedule) {}
 
 double Level::pressure(std::size_t i) const {
-    const Particles& p = home();
+    const Particles& p = on_host();
     const LevelSetup& s = system_.setup;
     return double(s.state_equation.pressure(s.rho0, p.drho[i])) +
            (system_.around.at_rest ? system_.around.at_rest->at(p.z[i]) : 0);
@@ -43,7 +43,7 @@ double Level::lid_pressure() const {
             return *this;
         }
     };
-    const Particles& p = home();
+    const Particles& p = on_host();
     const Under lid = sum_over_all<Under>([&](Under& sum, std::size_t i) {
         if (p.z[i] <= system_.around.domain.max.z() - system_.kernel.support()) return;
         sum.pressure += system_.setup.state_equation.pressure(system_.setup.rho0, p.drho[i]);
@@ -54,7 +54,7 @@ double Level::lid_pressure() const {
 
 void Level::set_control_volume(ControlVolume volume) {
     system_.control = std::move(volume);
-    system_.particles.bring(With::control_volume);
+    system_.particles.allocate(With::control_volume);
     make_lists_due();
 }
 
@@ -193,14 +193,14 @@ double Level::bytes() const {
 
 void Level::begin_over(const Zone& finer, double with_daughters) {
     Particles& p = system_.particles;
-    p.bring(With::finer);
+    p.allocate(With::finer);
     for (std::size_t i = 0; i < p.size(); ++i)
         if (finer.outside({p.x[i], p.y[i], p.z[i]}) < with_daughters) p.daughters[i] = Daughters::all;
 }
 
 void Level::begin_within(const Zone& own) {
     Particles& p = system_.particles;
-    p.bring(With::coarser);
+    p.allocate(With::coarser);
     for (std::size_t i = 0; i < p.size(); ++i)
         if (own.outside({p.x[i], p.y[i], p.z[i]}) >= 0) p.kind[i] = Kind::buffer;
 }
@@ -215,7 +215,7 @@ Level::State Level::state() const {
 void Level::restore(const State& s, Particles particles) {
     system_.time = s.time, system_.dt = s.dt, system_.steps = s.steps;
     system_.ledger = s.ledger, system_.extremes = s.extremes;
-    particles.bring_all_of(system_.particles);  // what is not saved is made anew where it is asked for
+    particles.allocate_as(system_.particles);  // what is not saved is made anew where it is asked for
     system_.particles = std::move(particles);
     share_.begin_on_first();
     steps_->note_changed_state();
@@ -223,14 +223,14 @@ void Level::restore(const State& s, Particles particles) {
 }
 
 FieldsToSet Level::fields_to_set() {
-    home();
+    on_host();
     steps_->note_changed_state();
     return FieldsToSet(system_.particles);
 }
 
 void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
     system_.ledger.out += active;
-    home();
+    on_host();
     steps_->note_changed_state();
     std::ranges::sort(ids);
     std::vector<int> gone(system_.particles.size());
@@ -243,7 +243,7 @@ void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
 
 void Level::mark_restart_point() {
     if (!system_.particles.has(With::finer)) return make_lists_due();
-    home();  // a finer level has changed velocities since the last step: the lists reach as far as after a restart
+    on_host();  // a finer level has changed velocities since the last step: the lists reach as far as after a restart
     start_anew();
 }
 

@@ -81,10 +81,10 @@ public:
 
     // --- its particles
     /// Those that this process holds: all, or its own and copies of those near them (`owns`).
-    const Particles& particles() const { return home(); }
+    const Particles& particles() const { return on_host(); }
     /// The same where only places, velocities and kinds are asked for: less has to come from a device.
     const Particles& particles_in_motion() const {
-        steps_->bring_motion_home();
+        steps_->copy_motion_to_host();
         return system_.particles;
     }
     /// To give the particles another state than a run starts with, or between two steps.
@@ -96,7 +96,7 @@ public:
     KindCounts kinds() const;  ///< of the particles of all ranks
     double pressure(std::size_t i) const;
     /// Kernel support of a particle at the last evaluation [-].
-    double support(std::size_t i) const { return double(home().shift_support[i].support); }
+    double support(std::size_t i) const { return double(on_host().shift_support[i].support); }
     bool has_packed_arrays() const { return !system_.particles.gradient_pressure.empty(); }
     double visited_per_particle() const;  ///< pairs that a pair loop works through, useful or not
     double bytes() const;                 ///< memory of state, lists and walls, on a device too
@@ -127,7 +127,7 @@ public:
     std::size_t copies() const { return share_.copies(); }
     void share_pencils_with(Level& leading) { share_.share_pencils_with(leading.share_); }
     Particles gathered() const {
-        home();
+        on_host();
         return share_.gathered();
     }
     /// Calls `add(sum, i)` for every particle, and sums over all ranks; `Sum` as that of sum_over.
@@ -216,8 +216,8 @@ public:
 
 private:
     /// The particles, as they are now.
-    const Particles& home() const {
-        steps_->bring_all_home();
+    const Particles& on_host() const {
+        steps_->copy_all_to_host();
         return system_.particles;
     }
     void start_anew();  ///< with other particles than before

@@ -233,7 +233,7 @@ void Level::check_density() const {
     const auto beyond = [&](double drho) { return drho > most * rho0 || drho < least * rho0; };
     if (!beyond(system_.extremes.density_deviation_high) && !beyond(system_.extremes.density_deviation_low)) return;
     RankShare::Failing failing{{}, 0, {}};
-    home();
+    on_host();
     for (std::size_t i = 0; i < system_.particles.size() && !failing.at; ++i)
         if (is_active(system_.particles.kind[i]) && beyond(double(system_.particles.drho[i])))
             failing = {

@@ -41,7 +41,7 @@ void Level::gather_loads(const Vec3& moment_reference) {
 /// By bodies that press.
 WallPushes Level::push_particles() {
     const MayBePressed may_be{system_.particles.wall_normal.data(), system_.particles.kind.data(), system_.setup.dp};
-    const std::vector<std::int32_t> near = steps_->bring_pressed_home(may_be);
+    const std::vector<std::int32_t> near = steps_->copy_pressed_to_host(may_be);
     WallPushes pushed = wall_pushes(system_.bodies, system_.particles, near, system_.setup.dp, system_.mass);
     steps_->push(pushed.by, pushed.accelerations);
     return pushed;

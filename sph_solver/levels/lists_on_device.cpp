@@ -24,9 +24,9 @@ int RunningSum::add_up() {
     return before_.value(of_.size());
 }
 
-void RunningSum::give_before(std::vector<std::int32_t>& to, std::size_t stride) const {
+void RunningSum::download_before(std::vector<std::int32_t>& to, std::size_t stride) const {
     std::vector<int> all(before_.size());
-    before_.give(all);
+    before_.download(all);
     to.clear();
     for (std::size_t k = 0; k < all.size(); k += stride) to.push_back(all[k]);
 }
@@ -60,7 +60,7 @@ void ListsOnDevice::build(const Pencils& pencils, const Pencils& of_clusters, co
                           const cuda::Array<int>& pencil, cuda::Array<Cluster>& clusters,
                           const std::vector<cuda::DeviceSource>& sources, const Reaches& fixed_point,
                           ListRef Cluster::*list) {
-    sources_.take(sources);
+    sources_.upload(sources);
     cuda::SearchNeighbours search{.pencils = pencils,
                                   .of_clusters = of_clusters,
                                   .places = places,
@@ -80,12 +80,12 @@ void ListsOnDevice::build(const Pencils& pencils, const Pencils& of_clusters, co
     search.write = true, search.count = count_.before(), search.blocks = blocks_.data();
     run();
     NeighbourBlock* const first = blocks_.data();
-    chunk_.take(std::span(&first, 1));
+    chunk_.upload(std::span(&first, 1));
 }
 
 std::int64_t ListsOnDevice::live() const {
     std::vector<NeighbourBlock> blocks(blocks_.size());
-    blocks_.give(blocks);
+    blocks_.download(blocks);
     std::int64_t live = 0;
     for (const NeighbourBlock& b : blocks) live += std::popcount(b.live);
     return live;

@@ -19,13 +19,13 @@ public:
     }
     void set_zero() { of_.set_zero(); }
     std::size_t size() const { return of_.size(); }
-    void give(std::span<int> to) const { of_.give(to); }
+    void download(std::span<int> to) const { of_.download(to); }
     /// After they were written; gives the sum of all.
     int add_up();
     const int* numbers() const { return of_.data(); }
     int* marks() { return of_.data(); }             ///< the same, to be changed before they are added up
     int* before() const { return before_.data(); }  ///< one more than there are numbers: the last is the sum of all
-    void give_before(std::vector<std::int32_t>& to, std::size_t stride) const;
+    void download_before(std::vector<std::int32_t>& to, std::size_t stride) const;
     std::size_t bytes() const { return of_.bytes() + before_.bytes() + sums_.bytes(); }
 
 private:
@@ -46,8 +46,8 @@ public:
     cuda::DeviceSource source(const PackedPlace* places, std::int32_t offset) const {
         return {places, start(), in_pencil(), offset};
     }
-    void give_start(std::vector<std::int32_t>& of_pencils) const {
-        start_.give_before(of_pencils, static_cast<std::size_t>(in_pencil()));
+    void download_start(std::vector<std::int32_t>& of_pencils) const {
+        start_.download_before(of_pencils, static_cast<std::size_t>(in_pencil()));
     }
     std::size_t bytes() const {
         return start_.bytes() + bin_.bytes() + slot_.bytes() + member_.bytes() + order_.bytes();

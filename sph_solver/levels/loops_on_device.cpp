@@ -16,7 +16,7 @@ public:
         return of_.data();
     }
     void set_zero() override { of_.set_zero(); }
-    void give(void* to, std::size_t bytes) const override { of_.give({static_cast<std::byte*>(to), bytes}); }
+    void download(void* to, std::size_t bytes) const override { of_.download({static_cast<std::byte*>(to), bytes}); }
     std::size_t bytes() const override { return of_.bytes(); }
 
 private:
@@ -39,9 +39,9 @@ double LoopsOnDevice::largest(const char* kernel, const void* value, std::size_t
     double* parts = parts_.data();
     void* arguments[] = {place(value), &parts, &count};
     device_->launch(kernel, count, arguments);
-    std::vector<double> home(parts_.size());
-    parts_.give(home);
-    return home.empty() ? 0 : *std::ranges::max_element(home);
+    std::vector<double> on_host(parts_.size());
+    parts_.download(on_host);
+    return on_host.empty() ? 0 : *std::ranges::max_element(on_host);
 }
 
 void LoopsOnDevice::pairs(const char* kernel, const void* view, std::span<const Cluster> clusters) {

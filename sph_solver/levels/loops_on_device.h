@@ -20,8 +20,8 @@ public:
     std::unique_ptr<RoomOnDevice> make_room() override;
     void exchange(const Halo& halo, void* values, std::size_t bytes) override;
     /// Of the particles and of the dummies, from now on.
-    void take_halos(const Halo& of_particles, const Halo& of_dummies) {
-        halo_.take(of_particles), dummies_halo_.take(of_dummies);
+    void set_halos(const Halo& of_particles, const Halo& of_dummies) {
+        halo_.set(of_particles), dummies_halo_.set(of_dummies);
     }
     HaloOnDevice& halo() { return halo_; }
     HaloOnDevice& dummies_halo() { return dummies_halo_; }

@@ -16,7 +16,7 @@ void LevelOnDevice::make_lists(double drift) {
         cross_and_hold(reach);
         sort_particles(nullptr);
     } else {
-        if (host_counts_) take_state();
+        if (host_counts_) upload_state();
         cross_faces();
         sort_particles(on.left.data());
     }
@@ -27,8 +27,8 @@ void LevelOnDevice::make_lists(double drift) {
     const std::size_t n = on.p.size();
     p.resize(n);
     p.make_room(on.links.size());
-    FieldsView::each(on.p, p, [](auto& field, const auto& at_home, auto about) {
-        if constexpr (!decltype(about)::moves) field.resize(at_home.size());
+    FieldsView::each(on.p, p, [](auto& field, const auto& on_host, auto about) {
+        if constexpr (!decltype(about)::moves) field.resize(on_host.size());
     });
     on.surface.resize(p.surface.size());
     on.extremes.resize((n + cuda::threads_in_block - 1) / cuda::threads_in_block);
@@ -39,7 +39,7 @@ void LevelOnDevice::make_lists(double drift) {
     on.lists.build(level_.grid, level_.grid, on.p.place.data(), on.clusters.pencil(), on.clusters.clusters(), water,
                    among / level_.fixed_point.size);
     if (!level_.walls.empty()) {
-        if (level_.walls.move() || shared()) take_sorted_dummies();
+        if (level_.walls.move() || shared()) upload_sorted_dummies();
         if (shared()) on.wall_p.set_zero();  // what no rank works out that holds them
         for (Arrays::Part& part : on.parts)
             part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.pencil, part.clusters,
@@ -47,7 +47,7 @@ void LevelOnDevice::make_lists(double drift) {
         find_walls(to_walls);
     }
     if (shared()) note_work();
-    home_ = order_is_home_ = false;
+    on_host_ = order_on_host_ = false;
 }
 
 /// As RankShare::cross_and_hold. The host sees particles that are sent to other ranks, or may have come from them:
@@ -55,9 +55,9 @@ void LevelOnDevice::make_lists(double drift) {
 void LevelOnDevice::cross_and_hold(double reach) {
     Arrays& on = *on_;
     if (host_counts_ || share_.is_on_first()) {
-        bring_all_home();
+        copy_all_to_host();
         share_.cross_and_hold(reach);
-        take_state();
+        upload_state();
     } else {
         share_.divide_pencils();
         cuda::launch(*device_, cuda::MarkStaying{nullptr, on.own.data(), on.following.of(on.p.size())}, on.p.size());
@@ -67,7 +67,7 @@ void LevelOnDevice::cross_and_hold(double reach) {
         const std::vector<std::int32_t> entered = list_entered();
         const std::size_t all = on.p.size();
         share_.find_holders(reach);
-        on.inner_pencils.take(share_.inner_pencils());
+        on.inner_pencils.upload(share_.inner_pencils());
         const auto list_in = [&](bool inner) {
             cuda::launch(*device_,
                          cuda::MarkInPencils{level_.grid, on.wide.data(), on.left.data(), on.inner_pencils.data(),
@@ -80,7 +80,7 @@ void LevelOnDevice::cross_and_hold(double reach) {
         const std::size_t inner = list_in(true);
         level_.ledger.out += static_cast<std::int64_t>(all - at_border - inner);
         const std::vector<std::int64_t> ids = share_.agree_on_crossings(before, entered);
-        on.p.id.put(ids, all - ids.size());
+        on.p.id.upload_at(ids, all - ids.size());
 
         Particles& p = level_.particles;
         const auto sort_out = [&](const cuda::Array<int>& which, std::size_t n) {
@@ -90,16 +90,16 @@ void LevelOnDevice::cross_and_hold(double reach) {
         };
         sort_out(on.at_border, at_border);
         p.resize(at_border);
-        on.sorted.each_moving_with(p, [](const auto& sorted, auto& at_home) { sorted.give(at_home); });
+        on.sorted.each_moving_with(p, [](const auto& sorted, auto& on_host) { sorted.download(on_host); });
         sort_out(on.which, inner);
         on.p.each_moving_with(on.sorted, [](auto& field, auto& sorted) { field.swap(sorted); });
         std::vector<std::int32_t> staying(at_border);
         std::iota(staying.begin(), staying.end(), 0);
         share_.hold_pencils(staying);
-        on.p.each_moving_with(p, [&](auto& field, const auto& at_home) {
-            if (at_home.empty()) return;
-            field.grow(inner + at_home.size());
-            field.put(at_home, inner);
+        on.p.each_moving_with(p, [&](auto& field, const auto& on_host) {
+            if (on_host.empty()) return;
+            field.grow(inner + on_host.size());
+            field.upload_at(on_host, inner);
         });
     }
     on.wide.resize(on.p.size());
@@ -114,28 +114,28 @@ std::vector<std::int32_t> LevelOnDevice::list_entered() {
     std::vector<std::int32_t> entered(on.p.size() - n);
     on.which.resize(entered.size());
     cuda::launch(*device_, cuda::ListMarked{on.entered.numbers(), on.entered.before(), on.which.data()}, n);
-    on.which.give(entered);
+    on.which.download(entered);
     return entered;
 }
 
 /// The particles are sorted.
 void LevelOnDevice::note_own() {
     Arrays& on = *on_;
-    on.order.give_start(level_.near.start);
+    on.order.download_start(level_.near.start);
     level_.particles.resize(on.p.size());
     share_.note_own();
-    take_own();
+    upload_own();
     const std::function<bool(int)> own = share_.own_pencils();
     std::vector<char> pencils(static_cast<std::size_t>(level_.grid.count()));
     for (std::size_t c = 0; c < pencils.size(); ++c) pencils[c] = own(static_cast<int>(c));
-    on.own_pencils.take(pencils);
-    loops_.take_halos(share_.halo(), level_.walls.halo());
+    on.own_pencils.upload(pencils);
+    loops_.set_halos(share_.halo(), level_.walls.halo());
 }
 
 /// Which particles are its own, and where they stand.
-void LevelOnDevice::take_own() {
-    on_->own.take({share_.own(), level_.particles.size()});
-    on_->start.take(level_.near.start);
+void LevelOnDevice::upload_own() {
+    on_->own.upload({share_.own(), level_.particles.size()});
+    on_->start.upload(level_.near.start);
 }
 
 void LevelOnDevice::note_work() {
@@ -146,7 +146,7 @@ void LevelOnDevice::note_work() {
         cuda::WorkOfClusters{on.clusters.clusters().data(), on.lists.blocks(), on.wall_lists.blocks(), on.work.of(n)},
         n);
     std::vector<int> work(n);
-    on.work.give(work);
+    on.work.download(work);
     share_.note_work(work);
 }
 
@@ -269,10 +269,10 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
                                    .list = on.clusters_at_walls.data()};
     for (int a = 0; a < 3; ++a) list.origin[a] = level_.fixed_point.origin[a];
     cuda::launch(*device_, list, clusters);
-    std::vector<cuda::ClusterAtWall> home(at_walls);
-    on.clusters_at_walls.give(home);
+    std::vector<cuda::ClusterAtWall> on_host(at_walls);
+    on.clusters_at_walls.download(on_host);
     level_.near.clusters.clear(), centres_.clear();
-    for (const cuda::ClusterAtWall& g : home)
+    for (const cuda::ClusterAtWall& g : on_host)
         level_.near.clusters.push_back(g.cluster), centres_.emplace_back(g.x, g.y, g.z);
     ask_walls(at_walls);
 }
@@ -287,7 +287,7 @@ void LevelOnDevice::ask_walls(std::size_t clusters) {
                  cuda::TakeNearWalls{on.p.view(), on.p.kind.data(), on.clusters_at_walls.data(), on.near_walls.data()},
                  asked);
     std::vector<cuda::NearWall> near(asked);
-    on.near_walls.give(near);
+    on.near_walls.download(near);
     std::vector<cuda::WallFound> found(asked);
     const double reach = level_.reach_of_normals();
     for_particles(asked, [&](std::size_t k) {
@@ -295,7 +295,7 @@ void LevelOnDevice::ask_walls(std::size_t clusters) {
         found[k].index = q.index;
         if (q.index >= 0) found[k].wall = level_.walls.nearest(Vec3(q.x, q.y, q.z), Vec3(q.u, q.v, q.w), reach);
     });
-    on.walls_found.take(found);
+    on.walls_found.upload(found);
     cuda::launch(*device_, cuda::PutWalls{on.walls_found.data(), on.p.all()}, asked);
     if (shared()) {
         HaloOnDevice& halo = loops_.halo();
@@ -308,8 +308,8 @@ void LevelOnDevice::ask_walls(std::size_t clusters) {
         if (found[k].index >= 0 && double(found[k].wall.normal.distance) < -level_.setup.dp && is_active(near[k].kind))
             through = static_cast<std::size_t>(found[k].index);
     if (share_.ranks().sum(std::int64_t{through.has_value()}) == 0) return;
-    home_ = order_is_home_ = false;
-    bring_all_home();
+    on_host_ = order_on_host_ = false;
+    copy_all_to_host();
     share_.fail_through_wall(through);
 }
 

@@ -14,9 +14,9 @@ LevelOnDevice::LevelOnDevice(ParticleSystem& level, RankShare& share, std::share
       on_(std::make_unique<Arrays>(*device_, bins_of(level.grid, level.setup.dp, level.fixed_point.size))) {
     cuda::Device& d = *device_;
     Walls& walls = level_.walls;
-    on_->maps.take(level_.ghosts.maps());
+    on_->maps.upload(level_.ghosts.maps());
     on_->count.resize(1);
-    on_->body_end.take(walls.body_end());
+    on_->body_end.upload(walls.body_end());
     on_->wall_p.resize(walls.size());
     if (walls.empty()) return;
     for (const Walls::Part& part : walls.parts()) {
@@ -24,11 +24,11 @@ LevelOnDevice::LevelOnDevice(ParticleSystem& level, RankShare& share, std::share
             {part.first, cuda::Array<int>(d), cuda::Array<int>(d), cuda::Array<Cluster>(d), ListsOnDevice(d)});
         on_->skins.push_back({0, cuda::Array<Corners>(d), cuda::Array<V3<double>>(d), cuda::Array<V3<double>>(d)});
     }
-    take_sorted_dummies();
+    upload_sorted_dummies();
 }
 
 /// In their order and clusters.
-void LevelOnDevice::take_sorted_dummies() {
+void LevelOnDevice::upload_sorted_dummies() {
     const Walls& walls = level_.walls;
     for (std::size_t b = 0; b < on_->parts.size(); ++b) {
         const Walls::Part& part = walls.parts()[b];
@@ -38,46 +38,46 @@ void LevelOnDevice::take_sorted_dummies() {
             make_clusters({&level_.grid, walls.places().data() + part.first, &part.start, 0}, cuda::lanes_of_cluster,
                           own, share_.own_pencils());
         const std::vector<Cluster>& clusters = shared() ? own : part.clusters;
-        on.start.take(part.start), on.clusters.take(clusters);
-        on.pencil.take(pencils_of(clusters, part.start));
+        on.start.upload(part.start), on.clusters.upload(clusters);
+        on.pencil.upload(pencils_of(clusters, part.start));
     }
-    on_->wall_place.take(walls.places());
-    take_dummies();
+    on_->wall_place.upload(walls.places());
+    upload_dummies();
 }
 
 /// Where they are now, and how they move.
-void LevelOnDevice::take_dummies() {
+void LevelOnDevice::upload_dummies() {
     const Walls& walls = level_.walls;
     if (walls.move()) {
-        on_->wall_place.take(walls.places());
-        on_->wall_velocity.take(std::span(walls.velocities(), walls.size()));
+        on_->wall_place.upload(walls.places());
+        on_->wall_velocity.upload(std::span(walls.velocities(), walls.size()));
     }
-    if (walls.accelerations()) on_->wall_acceleration.take(std::span(walls.accelerations(), walls.size()));
+    if (walls.accelerations()) on_->wall_acceleration.upload(std::span(walls.accelerations(), walls.size()));
 }
 
 NearWalls LevelOnDevice::near_walls() {
-    on_->motions.take(level_.walls.motions());
+    on_->motions.upload(level_.walls.motions());
     return {.normal = or_null(on_->p.wall_normal),
             .motions = or_null(on_->motions),
             .body = or_null(on_->p.wall_body),
             .triangle = or_null(on_->p.wall_triangle),
-            .skins = take_skins()};
+            .skins = upload_skins()};
 }
 
 /// How the surfaces of bodies that deform move now; null: there are none.
-const SkinMotion* LevelOnDevice::take_skins() {
+const SkinMotion* LevelOnDevice::upload_skins() {
     Walls& walls = level_.walls;
     if (!walls.any_deformable() || walls.empty()) return nullptr;
     std::vector<SkinMotion> motions;
     for (std::size_t b = 0; b < on_->skins.size(); ++b) {
         const Attached::Skin skin = walls.attached(b)->skin();
         Arrays::Skin& on = on_->skins[b];
-        if (skin.times_noted != on.times_noted) on.corners.take(skin.corners), on.noted.take(skin.noted);
+        if (skin.times_noted != on.times_noted) on.corners.upload(skin.corners), on.noted.upload(skin.noted);
         on.times_noted = skin.times_noted;
-        on.velocity.take(skin.velocity);
+        on.velocity.upload(skin.velocity);
         motions.push_back({or_null(on.corners), or_null(on.noted), or_null(on.velocity)});
     }
-    on_->skin_motions.take(motions);
+    on_->skin_motions.upload(motions);
     return on_->skin_motions.data();
 }
 
@@ -86,37 +86,37 @@ LevelOnDevice::~LevelOnDevice() = default;
 // --- from and to the host
 // ---------------------------------------------------------------------------------------------
 
-void LevelOnDevice::take_state() {
-    on_->p.each_moving_with(level_.particles, [](auto& on, const auto& field) { on.take(field); });
-    if (shared()) take_own();
+void LevelOnDevice::upload_state() {
+    on_->p.each_moving_with(level_.particles, [](auto& on, const auto& field) { on.upload(field); });
+    if (shared()) upload_own();
     host_counts_ = false;
 }
 
-void LevelOnDevice::bring_all_home() {
-    if (home_ || host_counts_) return;
+void LevelOnDevice::copy_all_to_host() {
+    if (on_host_ || host_counts_) return;
     Particles& p = level_.particles;
     Arrays& on = *on_;
-    FieldsView::each(on.p, p, [](const auto& field, auto& to, auto) { field.give(to); });
-    on.surface.give(p.surface);
-    on.wall_p.give(level_.walls.pressures());
-    if (!order_is_home_) {
-        if (!shared()) on.order.give_start(level_.near.start);  // else it is there
+    FieldsView::each(on.p, p, [](const auto& field, auto& to, auto) { field.download(to); });
+    on.surface.download(p.surface);
+    on.wall_p.download(level_.walls.pressures());
+    if (!order_on_host_) {
+        if (!shared()) on.order.download_start(level_.near.start);  // else it is there
         std::vector<Link> links(on.links.size());
-        on.links.give(links);
+        on.links.download(links);
         std::vector<std::int32_t> start;
-        on.image_order.give_start(start);
+        on.image_order.download_start(start);
         level_.ghosts.take(std::move(links), std::move(start));
     }
-    home_ = order_is_home_ = true;
+    on_host_ = order_on_host_ = true;
 }
 
-void LevelOnDevice::bring_motion_home() {
-    if (home_ || host_counts_) return;
+void LevelOnDevice::copy_motion_to_host() {
+    if (on_host_ || host_counts_) return;
     Particles& p = level_.particles;
     const Arrays::Fields& on = on_->p;
-    on.x.give(p.x), on.y.give(p.y), on.z.give(p.z);
-    on.u.give(p.u), on.v.give(p.v), on.w.give(p.w);
-    on.kind.give(p.kind);
+    on.x.download(p.x), on.y.download(p.y), on.z.download(p.z);
+    on.u.download(p.u), on.v.download(p.v), on.w.download(p.w);
+    on.kind.download(p.kind);
 }
 
 std::int64_t LevelOnDevice::live_pairs() const {
@@ -125,7 +125,7 @@ std::int64_t LevelOnDevice::live_pairs() const {
 }
 
 KindCounts LevelOnDevice::count(CountKinds kinds) {
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     Arrays& on = *on_;
     on.kinds.resize(1);
     on.kinds.set_zero();
@@ -142,13 +142,13 @@ double LevelOnDevice::bytes_on_device() const { return on_->bytes() + double(loo
 
 void LevelOnDevice::prune(double drift) {
     Arrays& on = *on_;
-    take_dummies();
+    upload_dummies();
     PruneData d;
     d.lists = on.lists.view();
     d.of = d.place = on.p.place.data();
     d.reach = level_.reach_among(drift) / level_.fixed_point.size;
     cuda::launch_pairs(*device_, d, on.clusters.clusters());
-    home_ = false;
+    on_host_ = false;
     if (level_.walls.empty()) return;
     d.reach = level_.reach_to_walls(drift) / level_.fixed_point.size;
     for (const Arrays::Part& part : on.parts) {
@@ -164,7 +164,7 @@ void LevelOnDevice::prune(double drift) {
 
 void LevelOnDevice::pack_state() {
     Arrays& on = *on_;
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     cuda::launch(*device_,
                  PackState{on.p.view(), level_.to_fixed_point(), on.p.place.data(), on.p.velocity_density.data()},
                  on.p.size());
@@ -209,7 +209,7 @@ WallView LevelOnDevice::walls() const {
 
 StepView LevelOnDevice::step_view(double t) {
     Arrays& on = *on_;
-    if (on.sliding.size() == 0) on.sliding.take(level_.walls.sliding());
+    if (on.sliding.size() == 0) on.sliding.upload(level_.walls.sliding());
     StepView view = level_.step_view(t, share_.halo());
     view.n = on.p.size(), view.images = on.links.size();
     view.p = on.p.view(), view.kind = on.p.kind.data();
@@ -223,20 +223,20 @@ StepView LevelOnDevice::step_view(double t) {
     view.sliding = or_null(on.sliding);
     view.links = on.links.data(), view.maps = on.maps.data();
     view.device = &loops_;
-    home_ = false;
+    on_host_ = false;
     return view;
 }
 
 void LevelOnDevice::first_pair_loop(const OtherSums* other) {
     Arrays& on = *on_;
-    if (host_counts_) take_state();
+    if (host_counts_) upload_state();
     FirstPairLoopData d = level_.first_pair_loop_data();
     d.water = water(), d.walls = walls();
     d.stress = on.p.gradient_pressure.data(), d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data();
     d.other = other;
     d.carried = nullptr;
     cuda::launch_pairs(*device_, d, on.clusters.clusters());
-    home_ = false;
+    on_host_ = false;
 }
 
 void LevelOnDevice::exchange_first_sums() {
@@ -268,12 +268,12 @@ void LevelOnDevice::compress(double compress, double drift) {
     else
         cuda::launch(*device_,
                      cuda::Compress{after, near_walls(), cuda::PressureOfState{state_equation, level_.setup.rho0}}, n);
-    home_ = false;
+    on_host_ = false;
 }
 
 void LevelOnDevice::press_walls() {
     Arrays& on = *on_;
-    take_dummies();
+    upload_dummies();
     for (const Arrays::Part& part : on.parts) {
         ExtrapolateData e = level_.extrapolation();
         e.water = water();
@@ -294,14 +294,14 @@ void LevelOnDevice::second_pair_loop(double t) {
     d.leaving = or_null(on.p.wall_leaving);
     d.shift = on.p.shift_support.data(), d.rate = on.p.rate.data(), d.wall_load = on.wall_load.data();
     cuda::launch_pairs(*device_, d, on.clusters.clusters());
-    home_ = false;
+    on_host_ = false;
 }
 
 void LevelOnDevice::exchange_rates() {
     loops_.halo().exchange({of_each(on_->p.rate.data()), of_each(on_->p.shift_support.data())});
 }
 
-void LevelOnDevice::copy_loads_to_host() { on_->wall_load.give(level_.walls.cluster_loads()); }
+void LevelOnDevice::copy_loads_to_host() { on_->wall_load.download(level_.walls.cluster_loads()); }
 
 std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     Arrays& on = *on_;
@@ -319,17 +319,17 @@ std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
     on.count.set_zero();
     MovedExtremes* of_blocks = on.extremes.data();
     cuda::launch_threads(*device_, n, task, of_blocks, n);
-    home_ = false;
+    on_host_ = false;
 
     Moved moved;
     std::vector<MovedExtremes> parts(on.extremes.size());
-    on.extremes.give(parts);
+    on.extremes.download(parts);
     for (const MovedExtremes& part : parts) cuda::join(moved, part);
     int held = 0;
-    on.count.give(std::span(&held, 1));
+    on.count.download(std::span(&held, 1));
     if (held == 0) return {moved};
     std::vector<std::int32_t> at_walls(static_cast<std::size_t>(held));
-    on.too_near.give(at_walls);
+    on.too_near.download(at_walls);
     std::ranges::sort(at_walls);
     fetch(at_walls);
     for (const std::int32_t k : at_walls) {
@@ -342,34 +342,34 @@ std::vector<Moved> LevelOnDevice::move(const Move& of_host, const Hold& hold) {
 }
 
 void LevelOnDevice::copy_to_host(const std::vector<std::size_t>& particles) {
-    if (!home_) fetch(std::vector<std::int32_t>(particles.begin(), particles.end()));
+    if (!on_host_) fetch(std::vector<std::int32_t>(particles.begin(), particles.end()));
 }
 
-std::vector<std::int32_t> LevelOnDevice::bring_pressed_home(MayBePressed condition) {
+std::vector<std::int32_t> LevelOnDevice::copy_pressed_to_host(MayBePressed condition) {
     Arrays& on = *on_;
     const std::size_t n = on.p.size();
     condition.wall = on.p.wall_normal.data(), condition.kind = on.p.kind.data();
     cuda::launch(*device_, cuda::MarkPressed{condition, on.following.of(n)}, n);
     std::vector<std::int32_t> which(list_marked());
-    on.which.give(which);
+    on.which.download(which);
     fetch(which);
     return which;
 }
 
 void LevelOnDevice::push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) {
     Arrays& on = *on_;
-    on.pushed.take(which), on.pushes.take(accelerations);
+    on.pushed.upload(which), on.pushes.upload(accelerations);
     cuda::launch(*device_, AddPushes{on.pushed.data(), on.pushes.data(), on.p.rate.data()}, which.size());
-    home_ = false;
+    on_host_ = false;
 }
 
 void LevelOnDevice::fetch(const std::vector<std::int32_t>& which) {
     Arrays& on = *on_;
-    on.fetched.take(which);
+    on.fetched.upload(which);
     on.held.resize(which.size());
     cuda::launch(*device_, cuda::TakeHeld{on.p.all(), on.fetched.data(), on.held.data()}, which.size());
     std::vector<cuda::HeldParticle> held(which.size());
-    on.held.give(held);
+    on.held.download(held);
     for (const cuda::HeldParticle& h : held)
         FieldsView::each(level_.particles, h, [&h](auto& field, const auto& value, auto about) {
             if constexpr (cuda::HeldParticle::has(decltype(about){})) {
@@ -378,18 +378,18 @@ void LevelOnDevice::fetch(const std::vector<std::int32_t>& which) {
         });
 }
 
-void LevelOnDevice::put_back(const std::vector<std::int32_t>& held_at_home) {
-    std::vector<cuda::HeldParticle> held(held_at_home.size());
+void LevelOnDevice::put_back(const std::vector<std::int32_t>& held_on_host) {
+    std::vector<cuda::HeldParticle> held(held_on_host.size());
     for (std::size_t k = 0; k < held.size(); ++k) {
-        const auto i = static_cast<std::size_t>(held_at_home[k]);
-        held[k].index = held_at_home[k];
+        const auto i = static_cast<std::size_t>(held_on_host[k]);
+        held[k].index = held_on_host[k];
         FieldsView::each(level_.particles, held[k], [i](const auto& field, auto& value, auto about) {
             if constexpr (cuda::HeldParticle::has(decltype(about){})) {
                 if (!field.empty()) value = field[i];
             }
         });
     }
-    on_->held.take(held);
+    on_->held.upload(held);
     cuda::launch(*device_, cuda::PutHeld{on_->held.data(), on_->p.all()}, held.size());
 }
 

@@ -22,8 +22,8 @@ public:
     LevelOnDevice(ParticleSystem& level, RankShare& share, std::shared_ptr<cuda::Device> device);
     ~LevelOnDevice() override;
 
-    void bring_all_home() override;
-    void bring_motion_home() override;
+    void copy_all_to_host() override;
+    void copy_motion_to_host() override;
     void copy_to_host(const std::vector<std::size_t>& particles) override;
     void note_changed_state() override { host_counts_ = true; }
     KindCounts count(CountKinds kinds) override;
@@ -48,7 +48,7 @@ public:
     void copy_loads_to_host() override;
 
     Vec3 centre_of_cluster(std::size_t k) const override { return centres_[k]; }
-    std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
+    std::vector<std::int32_t> copy_pressed_to_host(MayBePressed condition) override;
     void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
     std::vector<Moved> move(const Move& of_host, const Hold& hold) override;
 
@@ -71,18 +71,18 @@ private:
     struct Arrays;
     WaterView water() const;
     WallView walls() const;
-    void take_state();
-    void take_sorted_dummies();
-    void take_dummies();
+    void upload_state();
+    void upload_sorted_dummies();
+    void upload_dummies();
     NearWalls near_walls();
-    const SkinMotion* take_skins();
+    const SkinMotion* upload_skins();
     std::vector<cuda::DeviceSource> sources() const;
     bool shared() const { return share_.ranks().many(); }
     void cross_faces();
     void cross_and_hold(double reach);
     std::vector<std::int32_t> list_entered();
     void keep(std::size_t marked);
-    void take_own();
+    void upload_own();
     void note_own();
     void note_work();
     void sort_particles(const std::uint8_t* left);
@@ -115,7 +115,7 @@ private:
     LoopsOnDevice loops_;
     std::unique_ptr<Arrays> on_;
     std::vector<Vec3> centres_;
-    bool home_ = true, order_is_home_ = true;  ///< the host has the state; and who stands where
+    bool on_host_ = true, order_on_host_ = true;  ///< the host has the state; and who stands where
     bool host_counts_ = true;                  ///< the device has not taken what the host has
 };
 

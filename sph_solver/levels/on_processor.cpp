@@ -64,7 +64,7 @@ Vec3 LevelOnProcessor::centre_of_cluster(std::size_t k) const {
     return {q.metres(g.x, 0, p.x[i]), q.metres(g.y, 1, p.y[i]), q.metres(g.z, 2, p.z[i])};
 }
 
-std::vector<std::int32_t> LevelOnProcessor::bring_pressed_home(MayBePressed condition) {
+std::vector<std::int32_t> LevelOnProcessor::copy_pressed_to_host(MayBePressed condition) {
     const Particles& p = level_.particles;
     condition.wall = p.wall_normal.data(), condition.kind = p.kind.data();
     std::vector<std::int32_t> which;

@@ -12,9 +12,9 @@ public:
     /// Both must outlive this.
     LevelOnProcessor(ParticleSystem& level, RankShare& share) : level_(level), share_(share) {}
 
-    // all is at home
-    void bring_all_home() override {}
-    void bring_motion_home() override {}
+    // all is on the host
+    void copy_all_to_host() override {}
+    void copy_motion_to_host() override {}
     void copy_to_host(const std::vector<std::size_t>&) override {}
     void note_changed_state() override {}
     KindCounts count(CountKinds kinds) override;
@@ -41,7 +41,7 @@ public:
     void copy_loads_to_host() override {}
 
     Vec3 centre_of_cluster(std::size_t k) const override;
-    std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) override;
+    std::vector<std::int32_t> copy_pressed_to_host(MayBePressed condition) override;
     void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) override;
     std::vector<Moved> move(const Move& by, const Hold& hold) override;
 

@@ -47,11 +47,11 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
       grid(pencil_area(around, kernel.support(), setup.dp), setup.dp, around.dimensions, fixed_point, passes.lanes),
       ghosts(around, setup, fixed_point),
       walls(bodies, around, setup, kernel.support(), grid, fixed_point, passes.lanes) {
-    for (const EffectOn& on : options) particles.bring(effects.emplace_back(on.make())->brings());
+    for (const EffectOn& on : options) particles.allocate(effects.emplace_back(on.make())->brings());
     if (!walls.empty()) {
-        particles.bring(With::walls);
-        if (walls.move()) particles.bring(With::moving_bodies);
-        if (walls.any_deformable()) particles.bring(With::elastic_bodies);
+        particles.allocate(With::walls);
+        if (walls.move()) particles.allocate(With::moving_bodies);
+        if (walls.any_deformable()) particles.allocate(With::elastic_bodies);
     }
     particles.reserve(fluid.places.size());
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {

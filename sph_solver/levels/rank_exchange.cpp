@@ -97,7 +97,7 @@ void RankShare::interpolate_together(FieldsAt& at, const std::function<void(Fiel
 Particles RankShare::gathered() const {
     if (!ranks().many()) return level_.particles;
     Particles all;
-    all.bring_all_of(level_.particles);
+    all.allocate_as(level_.particles);
     struct Pencil {
         std::int32_t pencil, size;
     };

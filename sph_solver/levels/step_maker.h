@@ -32,12 +32,12 @@ struct Moved : MovedExtremes {
 /// which order, and lets effects act and ranks exchange between them.
 ///
 /// The host's particles are the valid ones on a processor. A device keeps particles, packed arrays and lists
-/// in its memory, and copies them to the host ("home") when it is asked for them.
+/// in its memory, and copies them to the host when it is asked for them.
 class StepMaker : public EdgeSteps {
 public:
     // --- between the host's particles and those of who makes the steps
-    virtual void bring_all_home() = 0;
-    virtual void bring_motion_home() = 0;  ///< positions, velocities and kinds alone
+    virtual void copy_all_to_host() = 0;
+    virtual void copy_motion_to_host() = 0;  ///< positions, velocities and kinds alone
     virtual void copy_to_host(const std::vector<std::size_t>& particles) = 0;  ///< what Move changes
     /// The host's copy is the valid one from now on: it has changed the state of particles, or holds others.
     virtual void note_changed_state() = 0;
@@ -78,14 +78,14 @@ public:
 
     // --- the loads
     virtual Vec3 centre_of_cluster(std::size_t k) const = 0;  ///< of the host's clusters [m]
-    /// Particles for which the condition holds, completed by the arrays of who makes the steps; their state is at home
-    /// then. Their indices, in ascending order.
-    virtual std::vector<std::int32_t> bring_pressed_home(MayBePressed condition) = 0;
+    /// Particles for which the condition holds, completed by the arrays of who makes the steps; their state is on the
+    /// host then. Their indices, in ascending order.
+    virtual std::vector<std::int32_t> copy_pressed_to_host(MayBePressed condition) = 0;
     /// Adds the accelerations [m/s2] to the rates of these particles.
     virtual void push(const std::vector<std::int32_t>& which, const std::vector<V3<float>>& accelerations) = 0;
 
     // --- the end of a step
-    /// `hold(i, moved)` looks after a particle, at home, that a wall may have to hold.
+    /// `hold(i, moved)` looks after a particle, on the host, that a wall may have to hold.
     using Hold = std::function<void(std::size_t, Moved&)>;
     virtual std::vector<Moved> move(const Move& of_host, const Hold& hold) = 0;
 

@@ -121,7 +121,7 @@ TEST(Comm, OfOneProcessGivesBackWhatItGets) {
 
 TEST(FieldTable, AParticlePackedAndUnpackedIsTheSame) {
     Particles from, to;
-    for (Particles* p : {&from, &to}) p->bring(With::ventilation);
+    for (Particles* p : {&from, &to}) p->allocate(With::ventilation);
     from.add(1, 2, 3, 4, 5, 6, Kind::outlet);
     from.aired[0] = Aired::yes, from.w[0] = -7;
     std::vector<std::byte> bytes(from.moved_bytes());

@@ -17,7 +17,7 @@ struct Three : FieldTable {
 
 Three three() {
     Three t;
-    t.bring(With::finer);
+    t.allocate(With::finer);
     for (int k = 0; k < 3; ++k) {
         const std::size_t i = t.grow();
         t.x[i] = 10 * k;
@@ -48,13 +48,13 @@ TEST(FieldTable, WhatALevelLacksHasNoElements) {
     Three t;
     t.grow();
     EXPECT_TRUE(t.of_finer.empty());
-    t.bring(With::finer);
+    t.allocate(With::finer);
     EXPECT_EQ(t.of_finer.size(), 1u);
     EXPECT_TRUE(t.has(With::water));
     EXPECT_FALSE(t.has(With::walls));
     Three other;
     other.grow();
-    other.bring_all_of(t);
+    other.allocate_as(t);
     EXPECT_EQ(other.of_finer.size(), 1u);
 }
 
@@ -73,7 +73,7 @@ TEST(FieldTable, BytesCountsEveryArray) {
     Particles p;
     for (const With with : {With::coarser, With::finer, With::walls, With::moving_bodies, With::elastic_bodies,
                             With::control_volume, With::ventilation})
-        p.bring(with);
+        p.allocate(with);
     p.add(1, 2, 3, 4, 5, 6, Kind::fluid);
     p.make_room(0);
     std::size_t least = 0;
@@ -125,7 +125,7 @@ TEST(Particles, WhatALevelLacksIsNullInItsView) {
     p.resize(1);
     EXPECT_EQ(p.view().x, p.x.data());
     EXPECT_EQ(p.view().aired, nullptr);
-    p.bring(With::ventilation);
+    p.allocate(With::ventilation);
     EXPECT_EQ(p.view().aired, p.aired.data());
     // one that is added begins without what the one before it had, and a copy has it
     p.aired[0] = Aired::yes, p.x[0] = 2;
