@@ -56,7 +56,7 @@ public:
     /// Fills a cell with a particle at `x`, which may be there already.
     void fill(const LatticeCell& c, const Vec3& x) {
         if (const auto found = particle_.find(c); found != particle_.end()) return move(found->second, x);
-        for (int k = -1; k <= 1; ++k)  // as deep as the nearest of those beside it tells
+        for (int k = -1; k <= 1; ++k)  // as deep as the nearest of those beside it says
             for (int j = flat() ? 0 : -1; j <= (flat() ? 0 : 1); ++j)
                 for (int i = -1; i <= 1; ++i)
                     if (const auto near = particle_.find(beside(c, i, j, k)); near != particle_.end()) {

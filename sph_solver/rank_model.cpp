@@ -61,7 +61,7 @@ Division divide(const PencilsOfSize& s, const Mirrors& mirrors, int ranks) {
     Decomposition pencils(s.grid, s.blocks, s.work, ranks);
     pencils.find_holders(s.grid, mirrors, s.low, s.high, s.reach);
     std::vector<double> work(static_cast<std::size_t>(ranks)), own(work.size()), copies(work.size());
-    std::vector<std::set<std::int32_t>> tells(work.size());
+    std::vector<std::set<std::int32_t>> sends_to(work.size());
     for (int c = 0; c < s.grid.count(); ++c) {
         const auto k = static_cast<std::size_t>(c);
         if (s.particles[k] == 0) continue;
@@ -69,14 +69,14 @@ Division divide(const PencilsOfSize& s, const Mirrors& mirrors, int ranks) {
         work[owner] += double(s.work[k]), own[owner] += double(s.particles[k]);
         for (const std::int32_t r : pencils.holders(c)) {
             copies[static_cast<std::size_t>(r)] += double(s.particles[k]);
-            tells[owner].insert(r);
+            sends_to[owner].insert(r);
         }
     }
     d.possible = std::ranges::min(work) > 0;
     d.imbalance = s.all_work > 0 ? std::ranges::max(work) * ranks / s.all_work : 1;
     d.own_particles = std::ranges::max(own), d.copies = std::ranges::max(copies);
     for (const double n : copies) d.all_copies += n;
-    for (const auto& to : tells) d.neighbours = std::max(d.neighbours, double(to.size()));
+    for (const auto& to : sends_to) d.neighbours = std::max(d.neighbours, double(to.size()));
     return d;
 }
 

@@ -40,7 +40,7 @@ double next_after(double time, double interval) { return (std::floor(time / inte
 
 /// Ranks of other programs would add other numbers.
 void refuse_other_builds(const Comm& ranks) {
-    const std::string version = TWINWAKE_CODE_VERSION, of_first = ranks.told_by(0, version);
+    const std::string version = TWINWAKE_CODE_VERSION, of_first = ranks.broadcast_from(0, version);
     ranks.together([&] {
         if (version != of_first)
             throw InputError(
@@ -58,7 +58,7 @@ bool all_on_gpu(const Comm& ranks, const Scene& scene, const RunOptions& options
 /// What one of them says, the same on all; empty: none says anything.
 std::string said_by_one(const Comm& ranks, const std::string& own) {
     const auto who = static_cast<int>(ranks.largest(own.empty() ? -1 : ranks.rank()));
-    return who < 0 ? "" : ranks.told_by(who, own);
+    return who < 0 ? "" : ranks.broadcast_from(who, own);
 }
 
 /// One run of one scene, from the setup to the record: `run` is the list of its parts.
@@ -124,7 +124,7 @@ private:
             const PhaseTimer timer(fresh, "particles");
             SphSetup setup = sph_setup(scene_, threads_, ranks_);
             // the same pair loops as before, and on all ranks: others may give other last digits
-            const std::string isa = ranks_.told_by(0, earlier_         ? earlier_->checkpoint.isa
+            const std::string isa = ranks_.broadcast_from(0, earlier_         ? earlier_->checkpoint.isa
                                                       : on_gpu_        ? passes_beside_gpu().isa
                                                       : ranks_.first() ? choose_passes().isa
                                                                        : "");

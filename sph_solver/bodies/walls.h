@@ -75,7 +75,7 @@ public:
     void find_neighbours(const Passes& passes, const PencilGrid& grid, const FixedPoint& fixed_point,
                          std::vector<Cluster>& clusters, const std::vector<Source>& sources, const Reaches& reaches,
                          const std::function<bool(int pencil)>& own);
-    /// Who tells whom of dummies: each is worked out by the rank whose pencil it stands in.
+    /// The halo exchange of dummies: each is worked out by the rank whose pencil it stands in.
     void set_halo(const Comm& ranks, const Decomposition& pencils);
     const Halo& halo() const { return halo_; }
     /// Leaves in those lists who is within `reach` [fixed-point units] now.

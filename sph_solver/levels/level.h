@@ -152,7 +152,7 @@ public:
     /// `other`: sums over another level's particles, one entry a particle; null: there is none.
     void first_pair_loop(double t, double compress, double drift, const OtherSums* other);
     void second_pair_loop(double t);
-    /// Of several ranks: the rates are whole, and told to who holds copies.
+    /// Of several ranks: the rates are whole, and sent to the ranks with copies (halo exchange).
     void exchange_rates() { steps_->exchange_rates(); }
     /// Loads on bodies that stay where they are may wait for the end of `advance`.
     void gather_loads(const Vec3& moment_reference);

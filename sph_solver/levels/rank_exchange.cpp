@@ -169,7 +169,7 @@ void RankShare::fail_together(const Failing& failing) const {
             if (std::pair(other.order, other.rank) < std::pair(all.order, all.rank)) all = other;
         });
     throw RunError(
-        ranks().told_by(speaks.rank, failing.at ? level_.text_of_failure(*failing.at, failing.what) : std::string()));
+        ranks().broadcast_from(speaks.rank, failing.at ? level_.text_of_failure(*failing.at, failing.what) : std::string()));
 }
 
 void RankShare::fail_through_wall(std::optional<std::size_t> through) const {

@@ -9,8 +9,8 @@ namespace tw {
 ///   Mach number            max |u| / c0                              1
 ///   compression            max (rho - rho0) / rho0                   30 %
 ///   rarefaction            max (rho0 - rho) / rho0                   30 %
-///   step held down         acoustic time step over the step taken    20 (told, not stopped)
-///   particles lost         through walls                             0 (told, not stopped)
+///   step held down         acoustic time step over the step taken    20 (reported, the run goes on)
+///   particles lost         through walls                             0 (reported, the run goes on)
 ///
 /// and, at frames,
 ///

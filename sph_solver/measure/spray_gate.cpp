@@ -79,12 +79,12 @@ SprayGate::Leaving told_by_first(const Comm& ranks, SprayGate::Leaving own) {
                         l.mass,
                         l.inner_energy,
                         l.particles});
-    SprayGate::Leaving told;
+    SprayGate::Leaving all_ranks;
     for (const Lump& l : ranks.gathered(sent))
-        told.lumps.push_back({Vec3(l.place.data()), Vec3(l.velocity.data()), l.mass, l.inner_energy, l.particles});
+        all_ranks.lumps.push_back({Vec3(l.place.data()), Vec3(l.velocity.data()), l.mass, l.inner_energy, l.particles});
     for (const SprayGate::Leaving::OfSize& size : own.sizes)
-        told.sizes.push_back({ranks.gathered(size.ids), ranks.sum(size.active)});
-    return told;
+        all_ranks.sizes.push_back({ranks.gathered(size.ids), ranks.sum(size.active)});
+    return all_ranks;
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct Cluster {
 };
 static_assert(sizeof(Cluster) == 48);
 
-/// What tells whether a place x is within reach of a cluster's particles x_l, all relative to its centre [fixed-point
+/// Decides whether a place x is within reach of a cluster's particles x_l, all relative to its centre [fixed-point
 /// units]: |x - x_l|^2 = |x|^2 + (n_l + a_l x + b_l y + c_l z), n = |x_l|^2, (a, b, c) = -2 x_l. Lanes beyond its size
 /// repeat the last particle. Good to a millionth of the reach for a cluster of water; spray may stand hundreds of
 /// spacings apart in one cluster, and then who is at the reach's rim, where the kernel vanishes, is known to 1e-4 of it

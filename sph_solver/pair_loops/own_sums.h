@@ -6,7 +6,7 @@ namespace tw {
 struct StepView;
 
 /// What a pair loop of an effect leaves for each particle (or dummy) that this rank owns. Of a copy of another rank's
-/// it is not known before the owner has told it, so loops over particles cannot read it: they take plain pointers,
+/// it is not known before the owner has sent it, so loops over particles cannot read it: they take plain pointers,
 /// which StepView::exchange gives. Only StepView makes one.
 template <class T>
 class OwnSums {

@@ -58,7 +58,7 @@ void Comm::together(const std::function<void()>& part) const {
             if (own.rank < all.rank) all = own;
         });
     if (failed.kind == none) return;
-    text = told_by(failed.rank, text);
+    text = broadcast_from(failed.rank, text);
     if (failed.kind == input) throw InputError(text);
     if (failed.kind == run) throw RunError(text);
     throw std::runtime_error(text);
@@ -189,7 +189,7 @@ void Comm::exchange(std::span<const Parcel> to, std::span<Parcel> from) const {
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
 }
 
-std::string Comm::told_by(int rank, std::string text) const {
+std::string Comm::broadcast_from(int rank, std::string text) const {
     if (!many()) return text;
     std::uint64_t n = text.size();
     MPI_Bcast(&n, 1, MPI_UINT64_T, rank, MPI_COMM_WORLD);
@@ -238,7 +238,7 @@ Comm::Bytes Comm::gathered_bytes(std::span<const std::byte> own) const { return 
 std::vector<Comm::Bytes> Comm::sent_to_first(const Bytes& own) const { return {own}; }
 std::vector<Comm::Bytes> Comm::exchange(const std::vector<Bytes>&) const { return {{}}; }
 void Comm::exchange(std::span<const Parcel>, std::span<Parcel>) const {}
-std::string Comm::told_by(int, std::string text) const { return text; }
+std::string Comm::broadcast_from(int, std::string text) const { return text; }
 int Comm::end(int status, const std::string&) const { return status; }
 
 #endif

@@ -126,7 +126,7 @@ public:
     };
     void exchange(std::span<const Parcel> to, std::span<Parcel> from) const;
     /// The text of that rank.
-    std::string told_by(int rank, std::string text) const;
+    std::string broadcast_from(int rank, std::string text) const;
 
     /// Runs what may fail on some ranks only, as a full disk does; then all throw what the first of these has thrown.
     void together(const std::function<void()>& part) const;

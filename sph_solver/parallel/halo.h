@@ -44,7 +44,7 @@ public:
             each(partners_[k].receive, [&](std::size_t i) { unpack(i, at), at += bytes; });
         }
     }
-    /// Tells the elements of arrays.
+    /// Exchanges the elements of arrays.
     template <class... T>
     void exchange(T*... values) const {
         static_assert((std::is_trivially_copyable_v<T> && ...));

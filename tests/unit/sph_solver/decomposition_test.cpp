@@ -114,7 +114,7 @@ TEST(Comm, OfOneProcessGivesBackWhatItGets) {
     EXPECT_EQ(one.sum(3), 3);
     EXPECT_EQ(one.largest(-2), -2);
     EXPECT_EQ(one.gathered(std::vector{1, 2}), (std::vector{1, 2}));
-    EXPECT_EQ(one.told_by(0, "text"), "text");
+    EXPECT_EQ(one.broadcast_from(0, "text"), "text");
     EXPECT_THROW(one.on_first([] { throw std::runtime_error("seen"); }), std::runtime_error);
     EXPECT_EQ(one.traffic().messages, 0);
 }
