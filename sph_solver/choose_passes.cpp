@@ -51,10 +51,10 @@ public:
         const Kernel kernel(1.55 * dp, 3);
         const double support = kernel.support();
         const Source source{&grid, place_.data(), &start, 0}, walls{&grid, wall_place_.data(), &wall_start, 0};
-        const auto within = [&](double skin) { return Reaches{support + skin, support, support - skin}; };
+        const auto within = [&](double slack) { return Reaches{support + slack, support, support - slack}; };
         make_clusters(source, passes.lanes, clusters_);
-        lists_.build(passes, fixed_point, source, clusters_, {source}, within(ListLife::skin_over_dp * dp));
-        wall_lists_.build(passes, fixed_point, source, clusters_, {walls}, within(ListLife::wall_skin_over_dp * dp),
+        lists_.build(passes, fixed_point, source, clusters_, {source}, within(ListLife::slack_over_dp * dp));
+        wall_lists_.build(passes, fixed_point, source, clusters_, {walls}, within(ListLife::wall_slack_over_dp * dp),
                           &Cluster::wall_list);
         const auto end = static_cast<std::int32_t>(wall_place_.size());
         wall_load_.resize(static_cast<std::size_t>(number_wall_loads(clusters_, wall_lists_.view(), {end})));

@@ -24,7 +24,7 @@ PencilsOfSize pencils_of(const Level& level, int finer, int steps) {
     s.steps = steps;
     const FixedPoint& fixed_point = level.fixed_point();
     s.low = fixed_point.wide(level.domain().min), s.high = fixed_point.wide(level.domain().max);
-    const double reach = level.kernel().support() + ListLife::skin_over_dp * level.setup().dp;
+    const double reach = level.kernel().support() + ListLife::slack_over_dp * level.setup().dp;
     s.reach = static_cast<std::int64_t>(reach * fixed_point.per_metre / finer) + 1;
     std::vector<std::int64_t> work(static_cast<std::size_t>(level.grid().count())), particles(work.size());
     const Particles& p = level.particles();

@@ -30,12 +30,12 @@ public:
     /// The same of a rigid body everywhere.
     virtual WallMotion surface_motion() const { return {}; }
     /// What says it of a body that deforms; empty: it does not.
-    struct Skin {
+    struct WettedSurface {
         std::span<const Corners> corners;
-        std::span<const V3<double>> noted, velocity;  ///< as SkinMotion has them
+        std::span<const V3<double>> noted, velocity;  ///< as SurfaceMotion has them
         std::int64_t times_noted = 0;
     };
-    virtual Skin skin() const { return {}; }
+    virtual WettedSurface wetted_surface() const { return {}; }
     /// The largest speed of a point or of the surface [m/s].
     virtual double fastest() const { return 0; }
     /// The k-th is then what order[k] is now.

@@ -9,7 +9,8 @@
 
 namespace tw {
 
-BodySetup::BodySetup(std::shared_ptr<const ElasticSetup> setup) : surface(skin_of(*setup)), elastic(std::move(setup)) {}
+BodySetup::BodySetup(std::shared_ptr<const ElasticSetup> setup)
+    : surface(wetted_surface_of(*setup)), elastic(std::move(setup)) {}
 
 std::unique_ptr<Body> Body::of(BodySetup setup) {
     if (setup.elastic) return std::make_unique<ElasticBody>(std::move(setup));

@@ -37,11 +37,11 @@ std::string wall_at(const Vec3& x, const Surroundings& around, double gap, const
 }  // namespace
 
 Collisions::Collisions(const Bodies& bodies, const Surroundings& around, double dp)
-    : bodies_(bodies), around_(around), dp_(dp), skin_(bodies.size()) {
+    : bodies_(bodies), around_(around), dp_(dp), on_surface_(bodies.size()) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b]->fixed()) continue;
         const std::vector<Vec3> places = places_on(bodies[b]->surface(), around, dp);
-        skin_[b] = bodies[b]->attach(bodies[b]->is_deformable() ? clear_at_start(b, places) : places);
+        on_surface_[b] = bodies[b]->attach(bodies[b]->is_deformable() ? clear_at_start(b, places) : places);
     }
 }
 
@@ -59,8 +59,8 @@ std::vector<Vec3> Collisions::clear_at_start(std::size_t body, const std::vector
 }
 
 std::string Collisions::of_a_deformable_one(std::size_t body, double gap) const {
-    for (std::size_t k = 0; k < skin_[body]->size(); ++k) {
-        const Vec3 x = skin_[body]->place(k);
+    for (std::size_t k = 0; k < on_surface_[body]->size(); ++k) {
+        const Vec3 x = on_surface_[body]->place(k);
         if (const std::string wall = wall_at(x, around_, gap, bodies_[body].get()); !wall.empty())
             return "touches " + wall;
         for (std::size_t other = 0; other < bodies_.size(); ++other)
@@ -90,8 +90,8 @@ std::string Collisions::with_domain(const Body& body, double gap) const {
 std::string Collisions::with_edge(std::size_t body) const {
     constexpr double nearest = 6;  // spacings: what buffer particles and dummies fill on both sides of an edge
     if (!zone_) return {};
-    for (std::size_t k = 0; k < skin_[body]->size(); ++k)
-        if (const Vec3 x = skin_[body]->place(k); x.z() < 0 && zone_->outside(x) > -nearest * dp_)
+    for (std::size_t k = 0; k < on_surface_[body]->size(); ++k)
+        if (const Vec3 x = on_surface_[body]->place(k); x.z() < 0 && zone_->outside(x) > -nearest * dp_)
             return fmt::format("has moved to within {:g} spacings of the edge of the finest particles ([sph] zone)",
                                nearest);
     return {};
@@ -104,8 +104,8 @@ std::string Collisions::of_rigid(std::size_t b, double gap) const {
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
         const Body& solid = *bodies_[other];
         if (other == b || gap_of_boxes(own, solid.bounds()) > dp_ + gap) continue;
-        for (std::size_t k = 0; k < skin_[b]->size(); ++k)
-            if (solid.query().nearest(solid.at_start(skin_[b]->place(k)), dp_ + gap).distance < dp_ / 2 + gap)
+        for (std::size_t k = 0; k < on_surface_[b]->size(); ++k)
+            if (solid.query().nearest(solid.at_start(on_surface_[b]->place(k)), dp_ + gap).distance < dp_ / 2 + gap)
                 return "touches " + solid.name();
     }
     return {};

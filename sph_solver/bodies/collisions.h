@@ -34,7 +34,7 @@ private:
     const Surroundings& around_;
     double dp_;
     const Zone* zone_ = nullptr;
-    std::vector<std::unique_ptr<Attached>> skin_;  ///< places on the surface of each body that moves; else null
+    std::vector<std::unique_ptr<Attached>> on_surface_;  ///< places on the surface of each body that moves; else null
 };
 
 }  // namespace tw

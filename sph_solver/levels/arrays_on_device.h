@@ -78,13 +78,13 @@ struct LevelOnDevice::Arrays {
     };
     std::vector<Part> parts;
     /// The surface of one body, empty if that is rigid.
-    struct Skin {
+    struct WettedSurface {
         std::int64_t times_noted = 0;
         cuda::Array<Corners> corners;
         cuda::Array<V3<double>> noted, velocity;
     };
-    std::vector<Skin> skins;
-    cuda::Array<SkinMotion> skin_motions{device};  ///< empty: no body is deformable
+    std::vector<WettedSurface> surfaces;
+    cuda::Array<SurfaceMotion> surface_motions{device};  ///< empty: no body is deformable
     cuda::Array<std::int32_t> pushed{device};
     cuda::Array<V3<float>> pushes{device};
 
@@ -140,7 +140,7 @@ struct LevelOnDevice::Arrays {
         double sum = 0;
         const auto add = [&](const auto&... array) { ((sum += double(array.bytes())), ...); };
         p.each(add), sorted.each(add);
-        add(surface, skin_motions, pushed, pushes, asking_others, near_others, lists_of_others, wall_velocity,
+        add(surface, surface_motions, pushed, pushes, asking_others, near_others, lists_of_others, wall_velocity,
             wall_acceleration, motions, entered, images, gone, left, wide, order, image_order, found, links, maps,
             clusters, lists, wall_lists, wall_place, wall_p, sliding, body_end, wall_load, loads, at_wall,
             clusters_at_walls, near_walls, walls_found, count, kinds, extremes, too_near, fetched, held, gives,
@@ -151,7 +151,7 @@ struct LevelOnDevice::Arrays {
         for (const auto& [apart, a] : asked)
             add(a.order, a.clusters, a.lists, a.place, a.value, a.support, a.mean_support, a.compression);
         for (const Part& part : parts) add(part.start, part.pencil, part.clusters, part.lists);
-        for (const Skin& skin : skins) add(skin.corners, skin.noted, skin.velocity);
+        for (const WettedSurface& of : surfaces) add(of.corners, of.noted, of.velocity);
         return sum;
     }
 };

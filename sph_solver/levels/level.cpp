@@ -68,10 +68,10 @@ double Level::travel_ahead() const {
 bool Level::lists_outlived() const {
     const double relative =
         system_.near.life.travel_in_stream + schedule_.looks_ahead() * system_.dt * system_.near.life.relative_speed;
-    const double skin = ListLife::skin_over_dp * system_.setup.dp,
-                 wall_skin = ListLife::wall_skin_over_dp * system_.setup.dp;
+    const double slack = ListLife::slack_over_dp * system_.setup.dp,
+                 wall_slack = ListLife::wall_slack_over_dp * system_.setup.dp;
     // two particles may both have moved towards each other
-    return 2 * relative > skin || travel_ahead() + wall_travel_ahead() > wall_skin;
+    return 2 * relative > slack || travel_ahead() + wall_travel_ahead() > wall_slack;
 }
 
 double Level::wall_travel_ahead() const {

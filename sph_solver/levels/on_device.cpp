@@ -22,7 +22,7 @@ LevelOnDevice::LevelOnDevice(ParticleSystem& level, RankShare& share, std::share
     for (const Walls::Part& part : walls.parts()) {
         on_->parts.push_back(
             {part.first, cuda::Array<int>(d), cuda::Array<int>(d), cuda::Array<Cluster>(d), ListsOnDevice(d)});
-        on_->skins.push_back({0, cuda::Array<Corners>(d), cuda::Array<V3<double>>(d), cuda::Array<V3<double>>(d)});
+        on_->surfaces.push_back({0, cuda::Array<Corners>(d), cuda::Array<V3<double>>(d), cuda::Array<V3<double>>(d)});
     }
     upload_sorted_dummies();
 }
@@ -61,24 +61,24 @@ NearWalls LevelOnDevice::near_walls() {
             .motions = or_null(on_->motions),
             .body = or_null(on_->p.wall_body),
             .triangle = or_null(on_->p.wall_triangle),
-            .skins = upload_skins()};
+            .surfaces = upload_surfaces()};
 }
 
 /// How the surfaces of bodies that deform move now; null: there are none.
-const SkinMotion* LevelOnDevice::upload_skins() {
+const SurfaceMotion* LevelOnDevice::upload_surfaces() {
     Walls& walls = level_.walls;
     if (!walls.any_deformable() || walls.empty()) return nullptr;
-    std::vector<SkinMotion> motions;
-    for (std::size_t b = 0; b < on_->skins.size(); ++b) {
-        const Attached::Skin skin = walls.attached(b)->skin();
-        Arrays::Skin& on = on_->skins[b];
-        if (skin.times_noted != on.times_noted) on.corners.upload(skin.corners), on.noted.upload(skin.noted);
-        on.times_noted = skin.times_noted;
-        on.velocity.upload(skin.velocity);
+    std::vector<SurfaceMotion> motions;
+    for (std::size_t b = 0; b < on_->surfaces.size(); ++b) {
+        const Attached::WettedSurface surface = walls.attached(b)->wetted_surface();
+        Arrays::WettedSurface& on = on_->surfaces[b];
+        if (surface.times_noted != on.times_noted) on.corners.upload(surface.corners), on.noted.upload(surface.noted);
+        on.times_noted = surface.times_noted;
+        on.velocity.upload(surface.velocity);
         motions.push_back({or_null(on.corners), or_null(on.noted), or_null(on.velocity)});
     }
-    on_->skin_motions.upload(motions);
-    return on_->skin_motions.data();
+    on_->surface_motions.upload(motions);
+    return on_->surface_motions.data();
 }
 
 LevelOnDevice::~LevelOnDevice() = default;

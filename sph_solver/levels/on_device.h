@@ -15,7 +15,7 @@ namespace tw {
 /// A level whose steps are made by a graphics processor. In a step the host gets the loads of the clusters at walls,
 /// the forces on the dummies of bodies that deform, the extremes, and the few particles that a wall has to hold; when
 /// lists are made, the places of those near walls, of which it finds the nearest; and at the edge of a zone who is to
-/// have daughters. It sends where the dummies are, and how bodies and the skins of those that deform move.
+/// have daughters. It sends where the dummies are, and how bodies and the surfaces of those that deform move.
 class LevelOnDevice : public StepMaker {
 public:
     /// Both must outlive this; lists are made afterwards.
@@ -75,7 +75,7 @@ private:
     void upload_sorted_dummies();
     void upload_dummies();
     NearWalls near_walls();
-    const SkinMotion* upload_skins();
+    const SurfaceMotion* upload_surfaces();
     std::vector<cuda::DeviceSource> sources() const;
     bool shared() const { return share_.ranks().many(); }
     void cross_faces();

@@ -237,8 +237,8 @@ ParticleSystem::ReachesOfLists ParticleSystem::reaches_of_lists(double drift) co
     const auto reaches = [&](double now, double slack) {
         return Reaches{std::max(support + slack, now), now, support - slack};
     };
-    return {reaches(reach_among(drift), ListLife::skin_over_dp * setup.dp),
-            reaches(reach_to_walls(drift), ListLife::wall_skin_over_dp * setup.dp)};
+    return {reaches(reach_among(drift), ListLife::slack_over_dp * setup.dp),
+            reaches(reach_to_walls(drift), ListLife::wall_slack_over_dp * setup.dp)};
 }
 
 Reaches ParticleSystem::reaches_of_interpolation() const {
@@ -253,7 +253,7 @@ Reaches ParticleSystem::reaches_of_points(const Kernel& of) const {
 double ParticleSystem::reach_of_others() const {
     if (!particles.has(With::coarser) && !particles.has(With::finer)) return 0;
     return Kernel(interpolation_h_over_dp * setup.dp, around.dimensions).support() +
-           ListLife::wall_skin_over_dp * setup.dp;
+           ListLife::wall_slack_over_dp * setup.dp;
 }
 
 double ParticleSystem::density_of_row() const {

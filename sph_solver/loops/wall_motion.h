@@ -31,7 +31,7 @@ struct Corners {
 };
 
 /// How the surface of a body that deforms moves: on each triangle between its corners.
-struct SkinMotion {
+struct SurfaceMotion {
     const Corners* corners;      ///< of each triangle; null: the body is rigid
     const V3<double>* noted;     ///< its points as they stood when the surface was noted last [m]
     const V3<double>* velocity;  ///< of its points now [m/s]
@@ -62,7 +62,7 @@ struct NearWalls {
     const std::uint16_t* body;  ///< whose wall it is
     // null where no body is deformable
     const std::int32_t* triangle;  ///< of that body's surface
-    const SkinMotion* skins;       ///< of the bodies
+    const SurfaceMotion* surfaces;  ///< of the bodies
 
     /// Speed away from the wall that particle i, at x, has near, of one that moves with u, relative to that wall [m/s].
     double leaving(std::size_t i, const V3<double>& x, const V3<double>& u) const {
@@ -74,7 +74,7 @@ struct NearWalls {
 private:
     V3<double> velocity_of_wall(std::size_t i, const V3<double>& x) const {
         const std::uint16_t of = body[i];
-        return skins && skins[of].corners ? skins[of].at(triangle[i], x) : motions[of].at(x);
+        return surfaces && surfaces[of].corners ? surfaces[of].at(triangle[i], x) : motions[of].at(x);
     }
 };
 

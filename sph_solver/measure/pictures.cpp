@@ -65,12 +65,12 @@ Picture picture_of(const Simulation& simulation, const RunRecord& record) {
     const SimulationSetup& s = simulation.setup();
     for (const auto& body : simulation.bodies())
         if (!body->fixed() && !(has_hull && body->is_hull()))  // a section as thick as the water
-            picture.skins.push_back(
+            picture.surfaces.push_back(
                 {body_table(body->name()),
                  body->surface_now(s.dimensions == 2 ? std::optional(s.domain.size().y()) : std::nullopt),
                  {}});
     if (has_hull)
-        picture.skins.push_back(
+        picture.surfaces.push_back(
             {"hull", record.hull, {{"pressure", 1, record.hull_pressure}, {"wet", 1, record.hull_wet}}});
     return picture;
 }
@@ -84,10 +84,10 @@ void Pictures::write(const Picture& picture) {
         note(cloud.name, ".hdf", file, cloud.time);
     }
     write_water(picture.water);
-    for (const Picture::Skin& skin : picture.skins) {
-        const std::string file = skin.name + "_" + stamp + ".vtp";
-        write_surface(folder_ / file, skin.surface, skin.fields);
-        note(skin.name, ".vtp", file, picture.time);
+    for (const Picture::OfSurface& one : picture.surfaces) {
+        const std::string file = one.name + "_" + stamp + ".vtp";
+        write_surface(folder_ / file, one.surface, one.fields);
+        note(one.name, ".vtp", file, picture.time);
     }
 }
 

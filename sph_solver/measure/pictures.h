@@ -21,14 +21,14 @@ struct Picture {
         std::vector<Vec3> places;
         std::vector<Field> fields;
     };
-    struct Skin {
+    struct OfSurface {
         std::string name;
         Surface surface;
         std::vector<Field> fields;
     };
     double time = 0;
     std::vector<Cloud> clouds;
-    std::vector<Skin> skins;
+    std::vector<OfSurface> surfaces;
     RunRecord water;  ///< with the last frame of the raster, and what its surface is drawn by
 };
 

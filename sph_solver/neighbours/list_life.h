@@ -6,8 +6,8 @@ namespace tw {
 /// beside its neighbours, so lists among particles need only the motion relative to it. Both slacks are chosen for
 /// speed, not derived.
 struct ListLife {
-    static constexpr double skin_over_dp = 0.3;       ///< slack of the particle lists
-    static constexpr double wall_skin_over_dp = 0.6;  ///< slack of the lists between particles and walls
+    static constexpr double slack_over_dp = 0.3;       ///< slack of the particle lists
+    static constexpr double wall_slack_over_dp = 0.6;  ///< slack of the lists between particles and walls
 
     double travel = 0, travel_in_stream = 0;  ///< of particles [m]
     double wall_travel = 0;                   ///< of walls [m]

@@ -9,13 +9,13 @@ namespace tw {
 
 bool LevelPair::lists_outlived() const {
     return a_.level->travel_ahead() + b_.level->travel_ahead() >
-           ListLife::wall_skin_over_dp * a_.level->setup().dp;  // both move
+           ListLife::wall_slack_over_dp * a_.level->setup().dp;  // both move
 }
 
 void LevelPair::find_neighbours() {
     const auto find = [](Side& own, const Side& other) {
         Level& level = *own.level;
-        const double reach = level.kernel().support() + ListLife::wall_skin_over_dp * level.setup().dp;
+        const double reach = level.kernel().support() + ListLife::wall_slack_over_dp * level.setup().dp;
         const Reaches reaches{reach, reach, reach};
         own.near = level.maker().find_neighbours(other.level->maker(), reaches, own.room);
         const StepView step = level.step_view(level.time());

@@ -9,14 +9,14 @@ namespace {
 class BackgroundInterface : public WaterInterface {
 public:
     Dummies dummies(const ElasticBody& body, const DummyLattice& lattice) const override {
-        const Surface& skin = body.surface();
-        std::vector<Vec3> area(skin.points.size(), Vec3::Zero());  // twice, of the triangles round each
-        for (std::size_t t = 0; t < skin.triangles.size(); ++t)
-            for (const int n : skin.triangles[t])
-                area[static_cast<std::size_t>(n)] += skin.area_vector2(static_cast<int>(t));
+        const Surface& surface = body.surface();
+        std::vector<Vec3> area(surface.points.size(), Vec3::Zero());  // twice, of the triangles round each
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            for (const int n : surface.triangles[t])
+                area[static_cast<std::size_t>(n)] += surface.area_vector2(static_cast<int>(t));
         Dummies d;
         for (std::size_t n = 0; n < area.size(); ++n) {
-            d.places.push_back(skin.points[n] - lattice.dp / 2 * area[n].normalized());
+            d.places.push_back(surface.points[n] - lattice.dp / 2 * area[n].normalized());
             d.volumes.push_back(area[n].norm() / 6 * lattice.dp);
         }
         return d;

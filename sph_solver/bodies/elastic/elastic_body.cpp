@@ -26,7 +26,7 @@ public:
     Vec3 surface_velocity(const Vec3& x, std::int32_t triangle) const override {
         return body_.velocity_on(triangle, x);
     }
-    Skin skin() const override { return body_.skin(); }
+    WettedSurface wetted_surface() const override { return body_.wetted_surface(); }
     double fastest() const override { return body_.fastest(); }
     void reorder(const std::vector<std::int32_t>& order) override { ties_ = reordered(ties_, order); }
     std::size_t bytes() const override { return ties_.capacity() * sizeof(Tie); }
@@ -40,10 +40,13 @@ private:
 }  // namespace
 
 ElasticBody::ElasticBody(BodySetup setup)
-    : Body(setup), setup_(std::move(setup.elastic)), structure_(structure_in_time(*setup_)), skin_(structure_->skin()) {
+    : Body(setup),
+      setup_(std::move(setup.elastic)),
+      structure_(structure_in_time(*setup_)),
+      wetted_(structure_->wetted_surface()) {
     for (const DeflectionPoint& point : setup_->points) points_.push_back(tie(point.position));
-    for (const Vec3& p : skin_.points) skin_ties_.push_back(tie(p));
-    for (const auto& [a, b, c] : skin_.triangles) corners_.push_back({a, b, c});
+    for (const Vec3& p : wetted_.points) surface_ties_.push_back(tie(p));
+    for (const auto& [a, b, c] : wetted_.triangles) corners_.push_back({a, b, c});
     note_nodes(0);
     const int all = setup_->dofs.all();
     relaxation_.assign(nodes_.size(), 1.0);
@@ -81,11 +84,11 @@ Vec3 ElasticBody::acceleration(const Tie& tie) const {
 /// The nodes a time `ahead` from where the structure stands [s].
 void ElasticBody::note_nodes(double ahead) {
     structure_->place(ahead, nodes_);
-    skin_at_.resize(skin_.points.size());
-    skin_velocity_.resize(skin_.points.size());
-    for (std::size_t k = 0; k < skin_ties_.size(); ++k) {
-        skin_at_[k] = place(skin_ties_[k]);
-        skin_velocity_[k] = plain(velocity(skin_ties_[k]));
+    surface_at_.resize(wetted_.points.size());
+    surface_velocity_.resize(wetted_.points.size());
+    for (std::size_t k = 0; k < surface_ties_.size(); ++k) {
+        surface_at_[k] = place(surface_ties_[k]);
+        surface_velocity_[k] = plain(velocity(surface_ties_[k]));
     }
     moved_since_noted_ = true;
 }
@@ -100,11 +103,11 @@ std::unique_ptr<Attached> ElasticBody::attach(std::vector<Vec3> at_start) const 
 
 // --- the closed surface ---------------------------------------------------------------------------------------------
 
-Surface ElasticBody::surface_now(std::optional<double>) const { return {skin_at_, skin_.triangles}; }
+Surface ElasticBody::surface_now(std::optional<double>) const { return {surface_at_, wetted_.triangles}; }
 
 void ElasticBody::note_surface() {
     noted_.clear();
-    for (const Vec3& x : skin_at_) noted_.push_back(plain(x));
+    for (const Vec3& x : surface_at_) noted_.push_back(plain(x));
     ++times_noted_;
     noted_query_ = std::make_unique<SurfaceQuery>(surface_now());
     moved_since_noted_ = false;
@@ -112,7 +115,7 @@ void ElasticBody::note_surface() {
 
 /// Shares of a triangle's corners, as noted, in the place of it that is nearest to `x` but for its edges.
 Vec3 ElasticBody::barycentric(int triangle, const Vec3& x) const {
-    return vector_of(skin_motion().shares(triangle, plain(x)));
+    return vector_of(surface_motion().shares(triangle, plain(x)));
 }
 
 Vec3 ElasticBody::at_start(const Vec3& x) const {
@@ -122,19 +125,19 @@ Vec3 ElasticBody::at_start(const Vec3& x) const {
     Vec3 back = x;
     for (int k = 0; k < 3; ++k) {
         const auto corner = static_cast<std::size_t>(
-            skin_.triangles[static_cast<std::size_t>(near.triangle)][static_cast<std::size_t>(k)]);
-        back -= shares[k] * (skin_at_[corner] - vector_of(noted_[corner]));
+            wetted_.triangles[static_cast<std::size_t>(near.triangle)][static_cast<std::size_t>(k)]);
+        back -= shares[k] * (surface_at_[corner] - vector_of(noted_[corner]));
     }
     return back;
 }
 
 Vec3 ElasticBody::velocity_on(int triangle, const Vec3& x) const {
-    return vector_of(skin_motion().at(triangle, plain(x)));
+    return vector_of(surface_motion().at(triangle, plain(x)));
 }
 
 double ElasticBody::fastest() const {
     double most = 0;
-    for (const V3<double>& v : skin_velocity_) most = std::max(most, dot(v, v));
+    for (const V3<double>& v : surface_velocity_) most = std::max(most, dot(v, v));
     return std::sqrt(most);
 }
 
@@ -185,16 +188,16 @@ void ElasticBody::push(const Tie& tie, const Vec3& force) {
 
 void ElasticBody::take(const WallPush& by) {
     const Vec3 shares = barycentric(by.triangle, at_start(by.place));
-    const auto& corners = skin_.triangles[static_cast<std::size_t>(by.triangle)];
+    const auto& corners = wetted_.triangles[static_cast<std::size_t>(by.triangle)];
     for (int k = 0; k < 3; ++k)
-        push(skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])], shares[k] * by.force);
+        push(surface_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])], shares[k] * by.force);
 }
 
 void ElasticBody::take_impulse(const WallImpulse& by) {
     const Vec3 shares = barycentric(by.triangle, at_start(by.place));
-    const auto& corners = skin_.triangles[static_cast<std::size_t>(by.triangle)];
+    const auto& corners = wetted_.triangles[static_cast<std::size_t>(by.triangle)];
     for (int k = 0; k < 3; ++k) {
-        const Tie& tie = skin_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+        const Tie& tie = surface_ties_[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
         for (std::size_t i = 0; i < 4; ++i)
             impulses_.add(setup_->dofs.per_node() * tie.nodes[i], width() * shares[k] * tie.shares[i] * by.impulse);
     }
@@ -305,7 +308,7 @@ void ElasticBody::describe(const Load& load, const Note& note) const {
         put("a", "m/s2", frame.acceleration);
     }
     double lowest = HUGE_VAL;
-    for (const Vec3& p : skin_at_) lowest = std::min(lowest, p.z());
+    for (const Vec3& p : surface_at_) lowest = std::min(lowest, p.z());
     note("lowest", "m", lowest);
     put("f", "N", load.force);
     if (meets_wall(Vec3::UnitZ())) note("floor_force", "N", floor_force() / width());

@@ -22,8 +22,8 @@ namespace tw {
 ///
 /// The last is the transpose of the velocity, so force and power pass over to rounding. R_n is the node's turn: a
 /// shell's own, a solid's by the faces about it. The arm stands across the shell: what a turn adds to v is along it,
-/// where walls let water slip, and a moment is left out only of forces along it. Both would come from the skin, which
-/// may be many times thicker than the shell: its arms bent a thin plate.
+/// where walls let water slip, and a moment is left out only of forces along it. Both would come from the surface,
+/// which may be many times thicker than the shell: its arms bent a thin plate.
 ///
 /// A step is cut where the water's is. The structure stands at the begin of a step while the water looks half a step
 /// ahead (`look_ahead`: shells with their present velocities, solids where they will be); the forces found there act
@@ -63,7 +63,7 @@ public:
     const SurfaceQuery& query() const override { return *noted_query_; }
     /// Velocity of the surface by the place `x` on or near a triangle of it (-1: none) [m/s].
     Vec3 velocity_on(int triangle, const Vec3& x) const;
-    Attached::Skin skin() const { return {corners_, noted_, skin_velocity_, times_noted_}; }
+    Attached::WettedSurface wetted_surface() const { return {corners_, noted_, surface_velocity_, times_noted_}; }
     double fastest() const;  ///< speed of a point of the surface [m/s]
 
     // --- time
@@ -124,7 +124,7 @@ public:
 
 private:
     void note_nodes(double ahead);
-    SkinMotion skin_motion() const { return {corners_.data(), noted_.data(), skin_velocity_.data()}; }
+    SurfaceMotion surface_motion() const { return {corners_.data(), noted_.data(), surface_velocity_.data()}; }
     Vec3 barycentric(int triangle, const Vec3& x) const;
     void relax(const Eigen::VectorXd& acceleration);
     void push(const Tie& tie, const Vec3& force);
@@ -138,11 +138,11 @@ private:
     std::unique_ptr<StructureInTime> structure_;
     std::vector<Tie> points_;
 
-    Surface skin_;                  ///< at the start
-    std::vector<Tie> skin_ties_;    ///< of its points
+    Surface wetted_;                 ///< at the start
+    std::vector<Tie> surface_ties_;  ///< of its points
     std::vector<Corners> corners_;  ///< of its triangles
-    std::vector<Vec3> skin_at_;
-    std::vector<V3<double>> skin_velocity_, noted_;
+    std::vector<Vec3> surface_at_;
+    std::vector<V3<double>> surface_velocity_, noted_;
     std::int64_t times_noted_ = 0;
     std::unique_ptr<SurfaceQuery> noted_query_;
     bool moved_since_noted_ = false;

@@ -77,12 +77,12 @@ class ShellInTime : public StructureInTime {
 public:
     explicit ShellInTime(const ElasticSetup& setup)
         : shell_(setup.shell().shell),
-          skin_(structure::Skin(shell_, setup.shell().skin).reference()),
+          wetted_(structure::Skin(shell_, setup.shell().skin).reference()),
           areas_(node_areas(shell_)) {
         for (const structure::Gauge& gauge : setup.gauges) gauges_.emplace_back(shell_, gauge);
     }
 
-    const Surface& skin() const override { return skin_; }
+    const Surface& wetted_surface() const override { return wetted_; }
     const std::vector<double>& wet_areas() const override { return areas_; }
     const VectorXd& mass() const override { return shell_.mass(); }
     double step_within(double dt) const override { return std::exp2(std::floor(4 * std::log2(dt)) / 4); }
@@ -115,7 +115,7 @@ protected:
     std::vector<structure::GaugeReader> gauges_;
 
 private:
-    Surface skin_;
+    Surface wetted_;
     std::vector<double> areas_;
 };
 

@@ -36,7 +36,7 @@ public:
         filled_at_start_ = filled(solid_.start);
     }
 
-    const Surface& skin() const override { return surface_.closed(); }
+    const Surface& wetted_surface() const override { return surface_.closed(); }
     Tie tie(const Vec3& at_start) const override {
         const structure::WetSurface::Foot foot = surface_.foot(at_start);
         return {foot.nodes, foot.shares, foot.arm};

@@ -12,7 +12,7 @@ std::unique_ptr<StructureInTime> structure_in_time(const ElasticSetup& setup) {
     return setup.shell().large_rotations ? turning_shell(setup) : linear_shell(setup);
 }
 
-Surface skin_of(const ElasticSetup& setup) {
+Surface wetted_surface_of(const ElasticSetup& setup) {
     if (const auto* of = std::get_if<ElasticSolid>(&setup.structure))
         return structure::WetSurface(of->solid, of->wet, of->start).closed();
     return structure::Skin(setup.shell().shell, setup.shell().skin).reference();

@@ -17,7 +17,7 @@ public:
     virtual ~StructureInTime() = default;
 
     // --- at the start
-    virtual const Surface& skin() const = 0;  ///< closed, triangles outward [m]
+    virtual const Surface& wetted_surface() const = 0;  ///< closed, triangles outward [m]
     virtual Tie tie(const Vec3& at_start) const = 0;
     virtual const std::vector<double>& wet_areas() const = 0;  ///< of the surface about each node [m2]
     virtual const Eigen::VectorXd& mass() const = 0;           ///< lumped, by degree of freedom [kg], [kg m2]
@@ -55,6 +55,6 @@ public:
 /// `setup` must outlive it.
 std::unique_ptr<StructureInTime> structure_in_time(const ElasticSetup& setup);
 /// The surface that the water sees at the start.
-Surface skin_of(const ElasticSetup& setup);
+Surface wetted_surface_of(const ElasticSetup& setup);
 
 }  // namespace tw

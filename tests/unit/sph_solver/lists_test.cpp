@@ -120,12 +120,12 @@ TEST(NeighbourLists, HoldThemForPlacesSortedByPencilsOfAnotherWidth) {
 
 TEST(NeighbourLists, PrunedAfterAMoveHoldWhoeverIsWithinReachThen) {
     Cloud cloud;
-    const double support = 0.3, skin = 0.06;
+    const double support = 0.3, slack = 0.06;
     NeighbourLists lists;
     lists.build(passes(), cloud.fixed_point, {&cloud.grid, cloud.places.data(), &cloud.start, 0}, cloud.clusters,
-                {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {support + skin, support, support - skin});
+                {{&cloud.grid, cloud.places.data(), &cloud.start, 0}}, {support + slack, support, support - slack});
     std::mt19937 random(6);
-    std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the skin
+    std::uniform_real_distribution<double> move(-0.017, 0.017);  // a distance changes by less than the slack
     for (PackedPlace& p : cloud.places)
         for (std::int32_t* x : {&p.x, &p.y, &p.z})
             *x += static_cast<std::int32_t>(move(random) / cloud.fixed_point.size);
