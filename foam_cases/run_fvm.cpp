@@ -65,7 +65,7 @@ public:
 private:
     fs::path meshed_mark() const { return case_ / "meshed"; }
 
-    /// The record of a run that is to be gone on with and has nothing left to do.
+    /// The record of a run that is to be resumed and has nothing left to do.
     std::optional<RunRecord> finished_already() const {
         if (!options_.resume || !fs::exists(record_file_)) return {};
         RunRecord earlier = read_record(record_file_);
@@ -308,7 +308,7 @@ private:
     }
 
     /// Reads the write times that are not in the record yet and lie before `limit`, up to the one at which the run may
-    /// end: what the solver has written behind that before it stopped is left to be read when the run is gone on with.
+    /// end: what the solver has written behind that before it stopped is left to be read when the run is resumed.
     void read_new(const TimeFolders& folders, FrameReader& reader, double limit) {
         if (plate_) plate_->read_before(limit, record_);
         for (const TimeFolders::Moment& moment : folders.moments()) {

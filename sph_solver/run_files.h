@@ -51,14 +51,14 @@ private:
     std::unique_ptr<SideThread> beside_;  // from the first output on; the last: it works with all of the above
 };
 
-/// A run that can be gone on with: its last checkpoint, and the record that leads to it.
+/// A run that can be resumed: its last checkpoint, and the record that leads to it.
 struct EarlierRun {
     RunRecord record;
     Checkpoint checkpoint;
 };
 
-/// `with_particles`: as read_checkpoint has it. Nothing: the run was stopped before its first checkpoint and begins again. Throws InputError naming the file that is
-/// missing, of another scene, or ends too early.
+/// `with_particles`: as read_checkpoint has it. Nothing: the run was stopped before its first checkpoint and begins
+/// again. Throws InputError naming the file that is missing, of another scene, or ends too early.
 std::optional<EarlierRun> earlier_run(const RunFiles& files, const std::string& run_hash, bool with_particles);
 
 }  // namespace tw

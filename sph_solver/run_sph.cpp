@@ -101,7 +101,7 @@ public:
 private:
     RunRecord& record() { return recorder_->record(); }
 
-    /// What the folder holds: the record of a run that has nothing left to do, or in `earlier_` one to be gone on with.
+    /// What the folder holds: the record of a run that has nothing left to do, or in `earlier_` one to be resumed.
     std::optional<RunRecord> look_at_folder() {
         const bool holds_run = fs::exists(files_.record()) || fs::exists(files_.checkpoint());
         if (holds_run && !options_.resume && !options_.overwrite)
@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// Of the run that is gone on with: what it has recorded ...
+    /// Of the run that is resumed: what it has recorded ...
     void take_up_tables(RunRecord& fresh) {
         fresh.tables = std::move(earlier_->record.tables);
         fresh.frames = std::move(earlier_->record.frames);

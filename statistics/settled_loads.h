@@ -41,7 +41,7 @@ struct SettledLoads {
 };
 
 /// Of the loads of a run so far: drag, lift, trim moment, and the wetted length, which only has to be known. From the
-/// record's tables alone, up to the last row of `samples`, so that a run that is gone on with is ended where it would
+/// record's tables alone, up to the last row of `samples`, so that a resumed run is ended where it would
 /// have been. Not settled while fewer than the comparison's flow-through times have passed since means begin.
 SettledLoads settled_loads(const RunRecord& record, const SettledStop& rule);
 /// Whether the last frame of `samples` is one at which the rule is looked at; others cost nothing.

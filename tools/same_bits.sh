@@ -103,7 +103,7 @@ program_run() {
         --out "$folder" --quiet "${options[@]}" "$@" >>"$folder.log" 2>&1
 }
 
-# both NAME DURATIONS [options]: with both programs, gone on with after each duration but the last; then the comparison.
+# both NAME DURATIONS [options]: with both programs, resumed after each duration but the last; then the comparison.
 both() {
     local name=$1 durations=$2 version status=0
     shift 2

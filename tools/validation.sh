@@ -5,7 +5,7 @@
 #   tools/validation.sh [--method sph|fvm|both] [--out FOLDER] [--rows-only] [CASE...]
 #
 # Cases: still_tank empty_channel dam_break_2d spheric02 planing_prism seaplane_30 seaplane_80; without any: all but the
-# seaplanes, which take hours. Runs lie in FOLDER (runs/validation) and are gone on with, or left alone when finished, if the
+# seaplanes, which take hours. Runs lie in FOLDER (runs/validation) and are resumed, or left alone when finished, if the
 # script is started again. --rows-only runs nothing and prints what is there. Needs: jq.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,7 +30,7 @@ for file in "$program" "$judge"; do
 done
 case $method in both) methods=(sph fvm) ;; sph | fvm) methods=("$method") ;; *) echo "validation.sh: --method $method: expected sph, fvm or both" >&2; exit 2 ;; esac
 
-# run SCENE FOLDER [options]: every wanted method, each gone on with from where it stopped; a failure is told and left behind.
+# run SCENE FOLDER [options]: every wanted method, each resumed from where it stopped; a failure is told and left behind.
 run() {
     local scene=$1 folder=$2 m
     shift 2

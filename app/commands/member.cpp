@@ -72,7 +72,7 @@ int run_member(const MemberCommand& command, const Common& common) {
         throw InputError(fmt::format("{}: run {} is for {} processes, and {} were started", command.study.string(),
                                      command.number, member.request.ranks, ranks.size()));
     const std::filesystem::path file = std::filesystem::absolute(state_file(command.study, command.number));
-    bool first = true;  // what was begun here is gone on with
+    bool first = true;  // what was begun here is resumed
     ranks.together([&] { first = !std::filesystem::exists(file); });
     Teller teller(file, ranks.first());
     try {

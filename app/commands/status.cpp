@@ -100,8 +100,8 @@ private:
         return {};
     }
 
-    /// Of a run that --jobs makes: whether its process is still there. Its own news may be older than the member's where
-    /// it is gone on with and being set up.
+    /// Of a run that --jobs makes: whether its process is still there. Its own news may be older than the member's
+    /// where it is resumed and being set up.
     static StatusLine of_this_machine(StatusLine l, const fs::path& state, const fs::path& run) {
         if (l.told.kind != Kind::running || !read_run_told(run).lost()) return l;
         std::error_code gone;

@@ -10,7 +10,7 @@
 namespace tw::app {
 
 /// The forces of a run that grows, and their file: RUN/METHOD/forces.csv, one row for each 2000th of the run's
-/// duration, the mean over the time since the row before. It is written anew where a run begins or is gone on with.
+/// duration, the mean over the time since the row before. It is written anew where a run begins or is resumed.
 class ForcesSoFar {
 public:
     /// `mean_from` [s]: where the running means begin.

@@ -69,7 +69,7 @@ void RunsStatus::read_list() {
     maker_ = list.maker, listed_ = list.told;
     for (const ListedRun& run : list.runs)
         lines_.push_back({run.name, folder_ / run.folder, run.seconds, told_in(folder_ / run.folder)});
-    // what an earlier command left unfinished is still to be gone on with
+    // what an earlier command left unfinished is still to be resumed
     for (Line& line : lines_)
         if (line.told.lost() && maker_.alive(listed_)) line.told.kind = Kind::waiting;
 }

@@ -42,7 +42,7 @@ private:
 
     Expected expected_;
     int row_ = 0;
-    double steps_ = 0;  ///< since this start: a run that is gone on with gets as many again
+    double steps_ = 0;  ///< since this start: a resumed run gets as many again
     double first_step_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Studies on a disk that lets them down: a ladder, and a run with twins, are gone on with to the same results after a
+// Studies on a disk that lets them down: a ladder, and a run with twins, are resumed to the same results after a
 // crash at a step of writing, after SIGINT there, and after the disk was full from there on.
 #include "study_folder.h"
 

@@ -1,4 +1,4 @@
-// A ladder of jobs that is killed again and again, at moments drawn by lot.
+// A ladder of jobs that is killed again and again, at random moments.
 #include <chrono>
 #include <random>
 #include <sstream>

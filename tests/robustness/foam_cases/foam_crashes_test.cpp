@@ -54,7 +54,7 @@ protected:
     }
 };
 
-// interFoam was not at work in any of these moments, so what is gone on with is not its restart, and the bits are those
+// interFoam was not at work in any of these moments, so what is resumed is not its own restart, and the bits are those
 // of the undisturbed run. Kills while it is at work: foam_failures_test.cpp.
 TEST_F(FoamCrash, AtAStepOfWritingLosesNothing) {
     const Scene s = scene(dam_break("0.06 s"));

@@ -110,7 +110,7 @@ TEST_F(FoamFailure, AnotherSceneIsNotGoneOnWith) {
     o.resume = true;
     try {
         run_fvm(with_probe("B"), o);
-        FAIL() << "gone on with under another name";
+        FAIL() << "resumed under another name";
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("belongs to another scene"), std::string::npos) << e.what();
     }
@@ -248,8 +248,8 @@ TEST_F(FoamFailure, AfterAKillTheRunIsTakenUpAndEndsAsIfNothingHadBeen) {
     const RunRecord undisturbed = run_fvm(s, whole);
     const Table &a = taken_up.tables.at("samples"), &b = undisturbed.tables.at("samples");
     ASSERT_EQ(a.time.size(), b.time.size());
-    // Not bitwise (interFoam does not store its last compression correction, and a tank writes at the nearest step), but
-    // the same flow: energies at the same times, by straight lines between frames.
+    // Not bitwise (interFoam does not store its last compression correction, and a tank writes at the nearest step),
+    // but the same flow: energies at the same times, by straight lines between frames.
     const std::vector<double>& energy = b.find("kinetic_energy")->values;
     for (std::size_t i = 1; i + 1 < a.time.size(); ++i) {
         EXPECT_NEAR(a.time[i], b.time[i], 0.01);

@@ -1,4 +1,4 @@
-// A run that crashes between any two steps of writing, or is asked to stop, is gone on with to the same record: nothing
+// A run that crashes between any two steps of writing, or is asked to stop, is resumed to the same record: nothing
 // is lost, and nothing is called finished that is not.
 #include <gtest/gtest.h>
 #include <sys/wait.h>

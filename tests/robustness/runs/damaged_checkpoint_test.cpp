@@ -17,7 +17,7 @@ protected:
     ScratchFolder scratch{"damaged_checkpoint"};
     fs::path scene = write_small_scene(scratch.path() / "scene.toml", 0.2);
     std::string checkpoint;  ///< bytes of a whole one, of a run that has come half way
-    RunRecord undisturbed;   ///< of the run gone on with from there
+    RunRecord undisturbed;   ///< of the run resumed from there
 
     std::vector<std::string> command(const fs::path& out, const char* duration) const {
         return {"run",         scene.string(), "--no-twins", "--method", "sph",   "--threads", "1",

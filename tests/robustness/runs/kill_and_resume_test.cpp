@@ -114,7 +114,7 @@ TEST(KillAndResume, AFinerSprayRootGoesOnToTheSameBits) {
     EXPECT_NEAR(by_surface / by_pairs, 1, 0.05);
 }
 
-// A run that has ended because its loads had settled is gone on with as if it never had.
+// A run that has ended because its loads had settled is resumed as if it never had.
 TEST(KillAndResume, ARunThatHasSettledGoesOnToTheSameBits) {
     const ScratchFolder folder("settled");
     const auto scene = folder.path() / "scene.toml";

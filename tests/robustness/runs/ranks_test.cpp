@@ -117,7 +117,7 @@ TEST_F(Ranks, TheSprayGateTakesTheSameBytes) {
     EXPECT_GT(taken_by_gate(folder.path() / "ranks_1/sph"), 50);
 }
 
-/// A lump across the edge of two sizes goes with the guards and parents that stand for it; saved and gone on with.
+/// A lump across the edge of two sizes goes with the guards and parents that stand for it; saved and resumed.
 TEST_F(Ranks, TheSprayGateTakesTwoSizesTheSame) {
     const ScratchFolder folder("ranks_gate_sizes");
     const std::string lump = "[[water_block]]\nmin = [0.4, 0.08, 0.32]\nmax = [0.72, 0.16, 0.36]\n[[obstacle]]";

@@ -5,7 +5,8 @@
 namespace tw::app {
 namespace overdue_test {
 
-/// Of a run of 10 s that was predicted to take 100 s: after so many seconds of steps at `pace` simulated seconds a second.
+/// Of a run of 10 s that was predicted to take 100 s: after so many seconds of steps at `pace` simulated seconds a
+/// second.
 Progress after(double wall, double pace, long steps = 1000) {
     return {.time = wall * pace, .duration = 10, .wall = wall, .steps = steps, .note = {}};
 }
@@ -27,7 +28,7 @@ TEST(Overdue, ARunOfTwiceItsPredictionSaysNothing) {
 TEST(Overdue, MeshingAndWhatWasComputedBeforeDoNotCount) {
     Overdue overdue(100);
     for (double wall = 0; wall < 300; wall += 10) EXPECT_EQ(overdue.look(after(wall, 0, 0)), "") << "meshing";
-    // gone on with at 8 of 10 s, and as fast as predicted from there
+    // resumed at 8 of 10 s, and as fast as predicted from there
     EXPECT_EQ(overdue.look({.time = 8, .duration = 10, .wall = 300, .steps = 5000, .note = {}}), "");
     EXPECT_EQ(overdue.look({.time = 14.2, .duration = 10, .wall = 362, .steps = 6000, .note = {}}), "");
     Overdue slow(100);

@@ -1,4 +1,4 @@
-// What the record of an interFoam run that is gone on with keeps of the one before.
+// What the record of an interFoam run that is resumed keeps of the one before.
 #include "foam_cases/take_up.h"
 
 #include <gtest/gtest.h>
