@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Compares the predicted processor time of runs with what they spent, and makes a table of it.
 
-    tools/predictions.py FOLDER ... [--into PAGE [--mark predictions]] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies]
+    tools/predictions.py FOLDER ... [--into PAGE [--mark predictions]] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies] [--all]
 
 Every finished record below the folders that was made by one thread counts, if it spent `--least` seconds (10). "said" is
 what the program predicted when the run was made, with the pace that it had learned by then; "now" is what --twinwake
 predicts of the same scene text, size and duration by its table alone (its cache is an empty folder, so that it has learned
 nothing): on the machine of the table that should be 1. Records whose scene it cannot read again, or that differ from the
 scene text in more than size and duration (another box, an uncertain number at its end), have no such value. Surfaces that
-scenes name are looked for in `--surfaces`. With --into the table replaces what is in PAGE between the lines `<!-- MARK
+scenes name are looked for in `--surfaces`. The table has the scenes of which the median is not within 1.3, or with --all
+every scene; the sentences below it count all. With --into the table replaces what is in PAGE between the lines `<!-- MARK
 -->` and `<!-- /MARK -->`. Needs h5py. Exit status: 0; 2: wrong usage, or no record.
 """
 import argparse
@@ -46,20 +47,30 @@ def predicted_now(program, record, folder):
 
 def told(ratios):
     if not ratios:
-        return "–", "–"
-    return f"{statistics.median(ratios):.2f}", f"{min(ratios):.2f} to {max(ratios):.2f}"
+        return "–"
+    median = f"{statistics.median(ratios):.2f}"
+    return median if len(ratios) == 1 else f"{median} ({min(ratios):.2f} to {max(ratios):.2f})"
+
+
+def is_good(ratio):
+    return abs(math.log(ratio)) <= math.log(within)
+
+
+def stands_out(runs):
+    ratios = [r["now"] / r["spent"] for r in runs if r["now"]]
+    return bool(ratios) and not is_good(statistics.median(ratios))
 
 
 def row(name, method, runs):
     cells = [name, method, str(len(runs)), f"{sum(r['spent'] for r in runs):.0f}"]
     for when in ("said", "now"):
-        cells += told([r[when] / r["spent"] for r in runs if r[when]])
+        cells.append(told([r[when] / r["spent"] for r in runs if r[when]]))
     return "| " + " | ".join(cells) + " |"
 
 
 def sentence(runs, when):
     ratios = [r[when] / r["spent"] for r in runs if r[when]]
-    good = sum(1 for q in ratios if abs(math.log(q)) <= math.log(within))
+    good = sum(1 for q in ratios if is_good(q))
     worst = max((max(q, 1 / q) for q in ratios), default=float("nan"))
     return f"{good} of {len(ratios)} within {within} (worst factor {worst:.1f})"
 
@@ -72,6 +83,7 @@ def main():
     words.add_argument("--twinwake", type=pathlib.Path, default=checkout / "build" / "twinwake")
     words.add_argument("--least", type=float, default=10)
     words.add_argument("--surfaces", type=pathlib.Path, default=checkout / "studies")
+    words.add_argument("--all", action="store_true")
     given = words.parse_args()
 
     groups, machines = collections.defaultdict(list), set()
@@ -93,11 +105,13 @@ def main():
     if not groups:
         sys.exit("no finished record of one thread below " + ", ".join(map(str, given.folders)))
 
+    shown = {key: runs for key, runs in groups.items() if given.all or stands_out(runs)}
     lines = [f"Made by `tools/predictions.py` from runs on {', '.join(sorted(machines))}, one thread each, of at least "
-             f"{given.least:g} s of processor time:", "",
-             "| scene | method | runs | spent [s] | said / spent: median | from, to | now / spent: median | from, to |",
-             "|---|---|---|---|---|---|---|---|"]
-    lines += [row(case, methods.get(method, method), runs) for (case, method), runs in sorted(groups.items())]
+             f"{given.least:g} s of processor time; {len(shown)} of {len(groups)} scenes"
+             + ("" if given.all else f", those whose median is not within {within}") + ":", "",
+             "| scene | method | runs | spent [s] | said / spent: median (from, to) | now / spent |",
+             "|---|---|---|---|---|---|"]
+    lines += [row(case, methods.get(method, method), runs) for (case, method), runs in sorted(shown.items())]
     lines.append("")
     for method in sorted({m for _, m in groups}, reverse=True):
         runs = [r for (_, m), of in groups.items() if m == method for r in of]

@@ -13,7 +13,7 @@ double background_cell(const Scene& scene);
 int finest_halvings(const Scene& scene);
 
 /// How often cells are halved along the surfaces of hull and bodies in two dimensions. With none the stream does not
-/// leave the trailing edge of a plate: it turns round it into the cell behind (docs/results/planing_plate.md).
+/// leave the trailing edge of a plate: it turns round it into the cell behind (docs/decisions/024-hull-force-cured.md).
 inline constexpr int section_levels = 2;
 
 /// Along a forcing zone each cell is so much longer than the one before it, so that the last, where waves have gone, is

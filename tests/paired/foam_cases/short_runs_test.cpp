@@ -233,7 +233,7 @@ TEST_F(ShortRun, APlaningHullIsLiftedAndItsPressureDragIsLiftTimesTheTangentOfTr
 
 // In two dimensions a hull is its section, and forces are per metre of span. Free streamlines: N = 0.8186 rho U^2 H at
 // 30 degrees with the edge at -0.050201 H (tests/data/planing_plate_channel.csv). Meshes of H/12 and H/25 meet such a
-// force within 3 % (docs/results/planing_plate.md); the bound is twice that.
+// force within 3 % (docs/decisions/024-hull-force-cured.md); the bound is twice that.
 TEST_F(ShortRun, AFlatPlateInAWeightlessChannelIsPressedAsFreeStreamlinesSay) {
     const RunRecord record = run_fvm(scene(R"(
 [hull]

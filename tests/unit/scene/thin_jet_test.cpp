@@ -90,7 +90,7 @@ std::string in_channel(const std::string& hull) {
            "[domain]\ndimensions = 2\n";
 }
 
-// docs/results/planing_plate.md: 0.2645 and 0.0786 of the depth. Deep water's formula says 0.02 m for the first of them.
+// docs/decisions/024-hull-force-cured.md: 0.2645 and 0.0786 of the depth. Deep water's formula says 0.02 m for the first of them.
 TEST(ThinJet, OfAFlatSectionIsTheChannels) {
     const std::string thick = "shape = \"plate\"\ntrim = \"30 deg\"\ndraft = 0.101338",
                       thin = "shape = \"plate\"\ntrim = \"10 deg\"\ndraft = 0.007811";
