@@ -107,7 +107,7 @@ def main():
 
     shown = {key: runs for key, runs in groups.items() if given.all or stands_out(runs)}
     lines = [f"Made by `tools/predictions.py` from runs on {', '.join(sorted(machines))}, one thread each, of at least "
-             f"{given.least:g} s of processor time; {len(shown)} of {len(groups)} scenes"
+             f"{given.least:g} s of processor time;\n{len(shown)} of {len(groups)} scenes"
              + ("" if given.all else f", those whose median is not within {within}") + ":", "",
              "| scene | method | runs | spent [s] | said / spent: median (from, to) | now / spent |",
              "|---|---|---|---|---|---|"]

@@ -12,21 +12,10 @@
 
 #include "base/numbers.h"
 #include "bodies.h"
+#include "tests/verification/sph_solver/zone_swing.h"
 
 namespace tw {
 namespace levels_test {
-
-Zone zone_between(double x0, double x1, double z0, double z1) {
-    return Zone({Box{Vec3(x0, -infinite, z0), Vec3(x1, infinite, z1)}});
-}
-
-Simulation weightless(SimulationSetup s) {
-    s.dimensions = 2;
-    s.gravity = Vec3::Zero();
-    std::vector<Fluid> water = fill_levels(s, {s.domain});
-    for (Fluid& fluid : water) fluid.depth.assign(fluid.depth.size(), 0);
-    return Simulation(s, water);
-}
 
 // A uniform stream keeps its velocity and pressure through three sizes of particles, and nothing is lost: the lattice
 // of the daughters is the fine lattice, and linear fields are interpolated exactly.
@@ -242,67 +231,6 @@ TEST(LevelEdge, ABodyAcrossItIsBorneByBothSizes) {
     EXPECT_NEAR(sum.x() / steps / weight, 0, 0.03);
 }
 
-struct Swing {
-    double largest_drift = 0;  ///< of the zone's mass at an instant: a column of its particles is 3 % of it
-    double mean_drift = 0, largest_mean = 0;  ///< of the mean over a period, the last and the largest
-    double gathered = 0;                      ///< coarse particles under the zone above their number at the start
-    double shortfall = 0;                     ///< of the mean velocity behind U sin(omega t), largest, over U
-    std::int64_t splits = 0, most_orphans = 0;
-};
-
-/// Water between slip walls, periodic along x, that a uniform force rho U omega cos(omega t) swings to and fro across
-/// both edges of a zone, 4 coarse spacings to either side. Vortices of `vortices` U stir it at the start.
-Swing swing(int periods, double vortices) {
-    constexpr double U = 0.5, coarse = 0.02, omega = U / (4 * coarse), length = 0.8, height = 0.32;
-    SimulationSetup s;
-    s.threads = 1;  // of small loops
-    s.dp = coarse / 2;
-    s.state_equation.c0 = 5;
-    s.domain = {Vec3(0, -1, 0), Vec3(length, 1, height)};
-    s.mirrors.on = {{{false, false}, {false, false}, {true, true}}};
-    s.mirrors.periodic = {true, false, false};
-    s.zones = {zone_between(0.24, 0.56, -infinite, infinite)};
-    Simulation simulation = weightless(s);
-    for (const auto& level : simulation.levels()) {
-        const FieldsToSet p = level->fields_to_set();
-        const double kx = 4 * std::numbers::pi / length, kz = std::numbers::pi / height;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            p.u[i] = static_cast<float>(vortices * U * std::sin(kx * p.x[i]) * std::cos(kz * p.z[i]));
-            p.w[i] = static_cast<float>(-vortices * U * kx / kz * std::cos(kx * p.x[i]) * std::sin(kz * p.z[i]));
-        }
-    }
-    const Refinement& edge = simulation.refinements()[0];
-    const auto under = [&] {
-        return double(std::ranges::count_if(simulation.level(0).particles().kind, stands_for_finer));
-    };
-    const double under_at_start = under();
-    Swing r;
-    double impulse = 0;  // of the force that was felt, over the mass
-    double sum = 0;      // of the drift, over a period
-    int counted = 0, period = 1;
-    while (simulation.time() < 2 * std::numbers::pi / omega * periods) {
-        const double before = simulation.time(), force = U * omega * std::cos(omega * before);
-        simulation.surroundings().gravity.x() = force;
-        simulation.step();
-        impulse += force * (simulation.time() - before);
-        const double drift = edge.mass_drift();
-        r.largest_drift = std::max(r.largest_drift, std::abs(drift));
-        sum += drift, ++counted;
-        if (simulation.time() * omega >= 2 * std::numbers::pi * period) {
-            r.mean_drift = sum / counted;
-            r.largest_mean = std::max(r.largest_mean, std::abs(r.mean_drift));
-            sum = 0, counted = 0, ++period;
-        }
-        r.most_orphans = std::max(r.most_orphans, edge.ledger().orphans);
-        const std::vector<float>& u = simulation.level(0).particles().u;
-        const double mean = std::accumulate(u.begin(), u.end(), 0.0) / double(u.size());
-        r.shortfall = std::max(r.shortfall, std::abs(mean - impulse) / U);
-    }
-    r.splits = edge.ledger().splits;
-    r.gathered = under() / under_at_start - 1;
-    return r;
-}
-
 // A zone is to keep its mass in a flow that turns round between the places where daughters are born and where they die:
 // 0.5 % are asked for. It does not: what comes back is not quite what went. While nothing but the fine level's
 // velocities told the carried particles where to go, they gathered under the zone (4 % in 30 periods, 10 % in 60), the
@@ -320,18 +248,6 @@ TEST(LevelEdge, AFlowThatTurnsRoundLeavesMostOfAZonesMass) {
     EXPECT_LT(r.largest_mean, 0.025);  // 3.1 % while parents that had been 4.1 to 4.5 dp away kept lost daughters lost
     EXPECT_LT(r.most_orphans, 30);
     EXPECT_LT(r.shortfall, 0.1);
-}
-
-TEST(LevelEdge, DISABLED_TableOfAHundredSwings) {
-    std::printf(
-        "vortices/U   mass of the zone: last swing's mean, largest mean, at an instant at most [%%]   mean velocity "
-        "off "
-        "by [U]   births\n");
-    for (const double vortices : {0.1, 0.3}) {
-        const Swing r = swing(100, vortices);
-        std::printf("%8.1f   %+.2f  %.2f  %.2f   %.3f   %ld\n", vortices, 100 * r.mean_drift, 100 * r.largest_mean,
-                    100 * r.largest_drift, r.shortfall, long(r.splits));
-    }
 }
 
 struct Vortex {

@@ -163,8 +163,6 @@ void expect_published_swing(int cells, const std::array<double, 3>& within) {
 }
 
 TEST(SolidFlag, SwingsUnderItsWeightAsInTheBenchmark) { expect_published_swing(2, {0.015, 0.02, 0.05}); }
-/// Half a minute: for docs/results/structures.md.
-TEST(SolidFlag, DISABLED_SwingsNearerToTheBenchmarkOnFinerCells) { expect_published_swing(4, {0.01, 0.01, 0.02}); }
 
 }  // namespace flag_test
 }  // namespace tw::structure
