@@ -33,7 +33,7 @@ struct Patch {
 struct AxisCells {
     std::vector<double> planes;  ///< [m], ascending
     std::vector<int> cells;      ///< one fewer than planes
-    std::vector<double> grows;   ///< of each block: size of its last cell over that of its first
+    std::vector<double> grows;   ///< of each block: size of its last cell over that of its first [-]
 };
 /// A closed surface that is cut out of the mesh.
 struct Solid {
@@ -75,15 +75,15 @@ struct CasePlan {
     EdgeRefinement shedding;                      ///< finer cells along the edges from which the stream leaves the hull
     std::string ribbon;                           ///< name of their surface, an OpenFOAM word; empty without such edges
     double background_cell = 0, finest_cell = 0;  ///< [m]; the finest but for those along shedding edges
-    Vec3 point_in_fluid = Vec3::Zero();
-    bool half_space = true;  ///< water: all below z = 0 (else the scene's water blocks)
+    Vec3 point_in_fluid = Vec3::Zero();           ///< [m]
+    bool half_space = true;                       ///< water: all below z = 0 (else the scene's water blocks)
 
     // bodies that move, or a hull that is free
     MeshMotion mesh_motion;
     std::vector<BodyInMesh> bodies;   ///< that the mesh follows
-    double relaxation = 1;            ///< of their accelerations, in each outer corrector
-    double newmark_gamma = 0.5;       ///< of the rule that moves them; 1 damps what swings from step to step
-    double release_factor = 1;        ///< on the scene's velocity at the release (run/first_steps.h)
+    double relaxation = 1;            ///< of their accelerations, in each outer corrector [-]
+    double newmark_gamma = 0.5;       ///< of the rule that moves them [-]; 1 damps what swings from step to step
+    double release_factor = 1;        ///< on the scene's velocity at the release [-] (run/first_steps.h)
     int outer_correctors = 1;         ///< in which mesh, flow and bodies are solved once more in each step
     int pressure_correctors = 1;      ///< in each of them
     bool momentum_predictor = false;  ///< before them, where water is viscous (viscous_steps.h)
@@ -132,12 +132,12 @@ struct CasePlan {
     double water_speed_limit = 0;    ///< ten times what the scene explains [m/s]; infinite where nothing moves
     /// Of the air that is pressed out of a gap of one cell, three times over [m/s]: across a gap h that closes with V
     /// it leaves with V L / 2h, L the length of the largest solid or, without one, of the domain.
-    double air_speed_limit = 0;
+    double air_speed_limit = 0;  ///< [m/s]; 0: none
 
     // probes
     std::vector<Vec3> pressure_places;  ///< [m], moved into the flow by 5 % of a cell where a wall is near
     struct ColumnPoint {
-        Vec3 place;
+        Vec3 place;     ///< [m]
         double height;  ///< share of the column that it stands for [m]
     };
     std::vector<std::vector<ColumnPoint>>

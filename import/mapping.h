@@ -30,7 +30,7 @@ struct WaterSource {
     std::optional<ColumnSource> cell;    ///< volume of the whole cell [m3]; none: particles, cubes of water
 };
 
-/// What a mapping file says, checked as far as it can be without the files it names.
+/// The contents of a mapping file, checked as far as possible without the files it names.
 struct Mapping {
     std::filesystem::path file;
     std::string kind;                        ///< csv, openfoam, dualsphysics

@@ -27,7 +27,7 @@ public:
     double outside(const Vec3& x) const;
     /// `outside` changes by no more than this times the way between two places: it is linear between the nodes of a grid
     /// along each axis.
-    static constexpr double steepest = 1.75;
+    static constexpr double steepest = 1.75;  ///< [-]
 
     /// What bounds a change of `outside` while the edge moves on: it is at most by + turn |x - pivot()| at a place x.
     struct Shift {

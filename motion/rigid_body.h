@@ -14,7 +14,7 @@ struct DegreesOfFreedom {
     bool any() const { return along[0] || along[1] || along[2] || about[0] || about[1] || about[2]; }
 };
 
-/// What a rigid body is made from: a free one moves by its loads, one with a law is moved.
+/// The data from which a rigid body is made: a free one moves by its loads, one with a law is moved.
 struct RigidBodySetup {
     RigidMass mass;                ///< at the start; of a prescribed body the centre alone counts
     DegreesOfFreedom free;         ///< of a body without a law

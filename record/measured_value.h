@@ -6,7 +6,7 @@ namespace tw {
 
 struct RunRecord;
 
-/// What was measured of a quantity, for reports to show beside the runs; it steers nothing.
+/// The measured value of a quantity, which reports show beside the runs; no run depends on it.
 struct MeasuredValue {
     std::string quantity;              ///< its name in the report, as "lift"
     std::string unit, source;          ///< as written; who measured it

@@ -40,7 +40,7 @@ public:
 private:
     RasterSpec spec_;
     using Parts = std::int64_t;
-    static constexpr double parts_of_voxel = 0x1p40;
+    static constexpr double parts_of_voxel = 0x1p40;  ///< [1/voxel]
     /// Calls `add(voxel, parts)` for the voxels of `into` that get some.
     template <class Add>
     void spread(std::vector<Parts>& into, const Vec3& centre, double edge, double amount, const Add& add) const;

@@ -12,7 +12,7 @@ namespace tw {
 struct Field {
     std::string name;
     int components = 1;
-    std::vector<float> values;  ///< `components` for each, one after another; in SI
+    std::vector<float> values;  ///< `components` for each particle or point, one after another [SI]
 };
 
 /// Particles as a VTKHDF UnstructuredGrid of vertices (ParaView 5.11 and VTK 9.1 open it under the suffix .hdf),

@@ -8,7 +8,7 @@ namespace tw {
 /// One column of a table of time series.
 struct Column {
     std::string name, unit;
-    std::vector<double> values;  ///< one for each time of its table, in `unit`
+    std::vector<double> values;  ///< one for each time of its table [`unit`]
 };
 
 /// Series that share their times, e.g. "forces" (one row per step) or "samples" (one row per frame).

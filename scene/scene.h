@@ -72,7 +72,7 @@ struct Motion {
     double ramp = 0;      ///< start-up ramp of the stream [s] (SPH); 0: impulsive
 };
 
-/// What each side of the domain is. Both methods use the same list.
+/// The kind of each side of the domain. Both methods use the same list.
 enum class Side { slip_wall, symmetry, inlet, outlet, atmosphere };
 struct Domain {
     Box box;  ///< z from the floor to the top of the air (particles that fly out through it are gone; with air a lid is
@@ -158,8 +158,8 @@ struct MovingBody {
     std::vector<Finding> findings;
     double filter = 0;  ///< the largest force is a mean over this time [s]; 0: 5 ms
     /// Of a free rigid body with floor and sides of a tank: Coulomb's coefficient [-].
-    double friction = default_friction;  ///< [-]
-    static constexpr double default_friction = 0.5;
+    double friction = default_friction;              ///< [-]
+    static constexpr double default_friction = 0.5;  ///< [-]
     /// Of an elastic body, whose surface is that which the water sees and whose motion that of its rigid counterpart.
     std::optional<ElasticPart> elastic = {};
 
@@ -263,15 +263,15 @@ struct Scene {
     std::string spanwise_unit(const std::string& unit) const { return domain.dimensions == 2 ? unit + "/m" : unit; }
 };
 
-/// What a command line may change before the scene is checked.
+/// The changes that a command line may make before the scene is checked.
 struct SceneOverrides {
     std::optional<std::filesystem::path> hull_file;
-    std::optional<double> speed, spacing, near_hull, duration;
-    std::optional<double> trim;                   ///< [rad]
-    std::optional<double> scale_resolution = {};  ///< multiplies both sizes, see Resolution
-    double sound_speed_factor = 1;                ///< multiplies c0 [-]
-    double time_step_factor = 1;                  ///< multiplies the acoustic Courant number of SPH [-]
-    double courant_factor = 1;                    ///< multiplies both Courant numbers of the FVM [-]
+    std::optional<double> speed, spacing, near_hull, duration;  ///< [m/s], [m], [m], [s]
+    std::optional<double> trim;                                 ///< [rad]
+    std::optional<double> scale_resolution = {};                ///< multiplies both sizes, see Resolution [-]
+    double sound_speed_factor = 1;                              ///< multiplies c0 [-]
+    double time_step_factor = 1;                                ///< multiplies the acoustic Courant number of SPH [-]
+    double courant_factor = 1;                                  ///< multiplies both Courant numbers of the FVM [-]
     /// Multiplies the distances at which the box of a hull in a stream ends: ahead, behind, sides and floor; never a
     /// symmetry plane, a bed or the top. The particles' sound speed stays as without it.
     double box_factor = 1;                     ///< [-]
@@ -285,7 +285,7 @@ struct SceneOverrides {
 /// wrong.
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
-/// What one method's run is expected to take.
+/// The predicted cost of one method's run.
 struct MethodCost {
     std::string method = {};
     double elements = 0;            ///< particles of water and air in the mean of the run, or cells [-]
@@ -310,7 +310,7 @@ struct Prediction {
 
     const MethodCost& of(const std::string& method) const;  ///< throws std::logic_error: it was not asked
 };
-/// What says how much one method's run takes, see predict_particles. `pace`: how long this machine takes for work that
+/// How one method's run is predicted, see predict_particles. `pace`: how long this machine takes for work that
 /// the table of `cost_estimate.cpp` calls one second. `size`: all but the costs.
 struct CostOf {
     std::string method;

@@ -20,11 +20,11 @@ const char* to_string(HardCaseKind kind);
 struct HardCase {
     HardCaseKind kind = HardCaseKind::impact;
     double speed = 30;           ///< of the water against the section or the plate [m/s]; not used in the tank
-    double deadrise_deg = 30;    ///< of the section; the trim of the plate; not used in the tank
-    double h_over_dp = 1.5;      ///< smoothing length over spacing
-    double cfl = 0.7;            ///< acoustic Courant number
-    double c0_over_speed = 20;   ///< sound speed over `speed`; in the tank over sqrt(2 g depth)
-    double spacings_per_m = 40;  ///< 1 / dp, of the finest particles
+    double deadrise_deg = 30;    ///< of the section; the trim of the plate; not used in the tank [deg]
+    double h_over_dp = 1.5;      ///< smoothing length over spacing [-]
+    double cfl = 0.7;            ///< acoustic Courant number [-]
+    double c0_over_speed = 20;   ///< sound speed over `speed`; in the tank over sqrt(2 g depth) [-]
+    double spacings_per_m = 40;  ///< 1 / dp, of the finest particles [1/m]
     /// Particles of dp within so many dp of section or plate, or of the tank's middle, and of 2 dp elsewhere; 0: of one
     /// size. At least 8.
     double zone = 0;
@@ -35,7 +35,7 @@ struct HardCase {
     double predicted_work() const;   ///< particles times steps, roughly: for the time left
 };
 
-/// What one case came to.
+/// The outcome of one case.
 struct HardCaseRun {
     /// The run's validity checks (`watch_stability`) and, beside it, what these cases alone can tell:
     ///   particles missing      start + in - out - now, and in closed cases what went out          0

@@ -14,7 +14,7 @@ namespace tw {
 /// too.
 struct Approach {
     double lacking = 0;  ///< |B| m [unit of the series]
-    double error = 0;    ///< standard error of it
+    double error = 0;    ///< standard error of it [unit of the series]
 };
 /// `time` increases and has ten points or more; `from`: where the mean's window begins [s].
 Approach approach_of(std::span<const double> time, std::span<const double> values, double from);

@@ -12,8 +12,9 @@ namespace tw {
 ///
 /// (variance of a slope with n_eff independent samples instead of n.)
 struct Drift {
-    double change = 0;       ///< over the series [unit of x]
-    double interval = 0;     ///< half width of its 95 % interval, correlated_t_95; infinite for n_eff below 3
+    double change = 0;  ///< over the series [unit of x]
+    double interval =
+        0;  ///< half width of its 95 % interval [unit of the series], correlated_t_95; infinite for n_eff below 3
     double mean_error = 0;   ///< u [unit of x]
     double n_effective = 0;  ///< of the noise [-]
 

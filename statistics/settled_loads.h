@@ -22,8 +22,8 @@ struct SettledStop {
     double between_looks = 0.03;  ///< growth of the number of frames [-]
     /// Period of waves that the start leaves [s], 0: none. With one, the means over the last two whole periods and over
     /// the last one lie within `interval` of each other, and a run ends a whole number of periods after means begin.
-    double period = 0;  ///< [s]
-    static constexpr double known_to = 0.02;
+    double period = 0;                        ///< [s]
+    static constexpr double known_to = 0.02;  ///< half width over the value, of what is known only [-]
 };
 
 /// One mean that the run is asked for.

@@ -19,7 +19,7 @@ struct SettledMean {
     bool unreliable = false;  ///< the two estimates of the interval differ by more than 1.5; the wider one is used
 };
 
-/// What a settled mean must fulfil to be printed.
+/// The conditions under which a settled mean is printed.
 struct SettledRules {
     double from = 0;                    ///< no sample before this time counts [s]
     double flow_through = 0;            ///< length over speed [s]; 0: no such rule

@@ -14,15 +14,15 @@ double student_t_cdf(double t, double degrees);
 
 /// Mean of independent values and its half width, t_95 s / sqrt(n) with the sample's deviation s.
 struct IndependentMean {
-    double value = NAN;       ///< NaN of no values
-    double half_width = NAN;  ///< NaN of fewer than two
+    double value = NAN;       ///< [unit of the values]; NaN of no values
+    double half_width = NAN;  ///< [unit of the values]; NaN of fewer than two
 };
 IndependentMean mean_of_independent(std::span<const double> values);
 
 /// The same of complex values, with the mean square of their distances from the mean as s^2.
 struct IndependentComplexMean {
-    std::complex<double> value = NAN;
-    double half_width = NAN;
+    std::complex<double> value = NAN;  ///< [unit of the values]; NaN of no values
+    double half_width = NAN;           ///< [unit of the values]; NaN of fewer than two
 };
 IndependentComplexMean mean_of_independent(std::span<const std::complex<double>> values);
 

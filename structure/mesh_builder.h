@@ -8,7 +8,7 @@
 
 namespace tw::structure {
 
-/// A mesh as its file tells of it: nodes and elements by the file's own numbers.
+/// A mesh as it stands in its file: nodes and elements by the file's own numbers.
 class MeshBuilder {
 public:
     bool has_node(int number) const { return nodes_.contains(number); }

@@ -34,7 +34,7 @@ struct SuiteQuantity {
     std::optional<Reading> reading;    ///< none: the name is that of a report's quantity
     std::filesystem::path measured;    ///< mapping of an import that holds the truth; empty: it is known
     bool own_uncertainty = false;      ///< the suite says the truth's uncertainty, whatever the measurement says
-    std::optional<double> goal_share;  ///< goal as a share of the scale, where that follows from a measurement
+    std::optional<double> goal_share;  ///< goal over the scale [-], where that follows from a measurement
     std::string place;                 ///< "suite.toml:12:1: [quantity] name", for messages
 };
 

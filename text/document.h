@@ -13,8 +13,8 @@ struct Place {
 /// One value of a scene file with its place; tables keep their members in the order of the file.
 struct TextValue {
     enum class Kind { text, number, flag, list, table, other } kind = Kind::other;
-    std::string text;  ///< of a text; of a number as written in canonical form
-    double number = 0;
+    std::string text;   ///< of a text; of a number as written in canonical form
+    double number = 0;  ///< of a number [unit of its key]
     bool flag = false;
     std::vector<TextValue> list;
     struct Member;

@@ -7,7 +7,7 @@ namespace tw {
 
 /// Closed range of SI values that a key accepts; `open_min`: the lower end itself is refused.
 struct Range {
-    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();  ///< [SI]
     bool open_min = false;
 };
 inline constexpr Range any_value{};

@@ -12,7 +12,7 @@ struct Dimension {
     bool operator==(const Dimension&) const = default;
 };
 
-/// What is wrong with a quantity, without its place: "unknown unit 'kmh'; ...".
+/// The error in a quantity, without its place: "unknown unit 'kmh'; ...".
 struct UnitError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -32,7 +32,7 @@ double quantity(std::string_view text, std::string_view si_unit);
 /// Whether something follows the number in `text`.
 bool has_unit(std::string_view text);
 
-/// What follows the number in `text`, without blanks around it; "-" where nothing does.
+/// The unit behind the number in `text`, without blanks around it; "-" where nothing does.
 std::string unit_after_number(std::string_view text);
 
 /// A time for people: "45 s", "12 min", "3.5 h", "8.2 days", "2.1 years".

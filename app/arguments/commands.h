@@ -106,7 +106,7 @@ struct LadderCommand {
     std::string method;         ///< sph, fvm, both; empty: what the scene says
     std::filesystem::path out;  ///< empty: runs/<name of the scene file>_ladder
     int levels = 4;
-    double ratio = 1.4142135623730951;            ///< of neighbouring spacings
+    double ratio = 1.4142135623730951;            ///< of neighbouring spacings [-]
     std::vector<std::filesystem::path> measured;  ///< imported records, or their folders
     std::string budget;                           ///< predicted time of all runs, a text with unit; empty: no limit
     bool plan = false;                            ///< list the runs and their predicted time, and run nothing
@@ -162,7 +162,7 @@ struct HullCommand {
     std::filesystem::path in, out;
     std::string shape, unit = "m", axes = "xyz";
     std::vector<std::string> parameters;  ///< "length=4 m"
-    double particle_spacing = 0;
+    double particle_spacing = 0;          ///< [m]
 };
 int run_hull(const HullCommand& command, const Common& common);
 
@@ -209,7 +209,7 @@ int run_spray_command(const SprayCommand& command, const Common& common);
 
 struct BenchCommand {
     long particles = 100000;
-    double h_over_dp = 1.5, seconds = 5;
+    double h_over_dp = 1.5, seconds = 5;  ///< [-], [s]
     int threads = 0;
     std::string device = "cpu";  ///< cpu, gpu
 };

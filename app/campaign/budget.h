@@ -7,14 +7,14 @@
 
 namespace tw::app {
 
-/// What --budget gives [s]; infinity: it is empty. Throws InputError naming the option.
+/// The time that --budget gives [s]; infinity: it is empty. Throws InputError naming the option.
 double budget_seconds(const std::string& budget);
 
 /// A family of sizes that a time pays for.
 struct PaidSizes {
-    double scale = 1;      ///< of all sizes of the scene
+    double scale = 1;      ///< of all sizes of the scene [-]
     double near_hull = 0;  ///< finest size of the family [m]
-    double seconds = 0;    ///< predicted, of all its runs
+    double seconds = 0;    ///< predicted, of all its runs [s]
 };
 /// The finest family whose predicted time is at most `budget` [s], finer or coarser than the scene's own: its interval
 /// is the narrowest, since the sizes of a family are in fixed proportion. Scales are powers of 2^(1/8), of which one is

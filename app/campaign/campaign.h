@@ -21,7 +21,7 @@ struct CampaignRun {
     int ranks() const;  ///< processes that share it; of the mesh method 1, which starts its own
 };
 
-/// What became of it.
+/// How a run ended.
 struct CampaignResult {
     enum class State {
         taken,        ///< finished before
@@ -44,7 +44,7 @@ struct CampaignRules {
     int jobs = 1;  ///< runs side by side; 0: by default, see jobs_by_default.h
     /// Nothing is run: what is not finished counts as failed. The study's folder of results; empty: it is run.
     std::filesystem::path collect = {};
-    std::function<void(const Progress&)> progress = {};  ///< is told of every run made here
+    std::function<void(const Progress&)> progress = {};  ///< called with the progress of every run made here
 };
 
 /// The rules that follow from how the study is made.

@@ -14,8 +14,8 @@ namespace tw::app {
 struct LadderChoice {
     std::string method, name, folder;  ///< method: "sph", "fvm"; "": the cheaper one
     std::function<void(RunRequest& request)> make;
-    double share = 1;  ///< of the error, see LadderVariation
-    double steps = 1;  ///< how many times as many time steps it is to take
+    double share = 1;  ///< of the error, see LadderVariation [-]
+    double steps = 1;  ///< how many times as many time steps it is to take [-]
     bool box = false;
     std::string input = {};  ///< name of the uncertain number that lies at an end of its interval
 };
@@ -30,9 +30,9 @@ struct LadderJob {
 
 /// Which sizes of a scene are run, and how.
 struct LadderSizes {
-    RunRequest request;         ///< of the scene's own size
-    int first = 0, levels = 4;  ///< sizes near_hull ratio^k, k from `first` to `levels` - 1
-    double ratio = 1.4142135623730951;
+    RunRequest request;                 ///< of the scene's own size
+    int first = 0, levels = 4;          ///< sizes near_hull ratio^k, k from `first` to `levels` - 1
+    double ratio = 1.4142135623730951;  ///< of neighbouring spacings [-]
     bool variations = true;  ///< other sound speed, time step and Courant number, at the second coarsest size
     bool surface = false;    ///< the water's surface captured geometrically, at the same size
     bool box = true;         ///< a wider box at the coarsest size, where the scene is open water

@@ -35,7 +35,7 @@ struct ValidationRules {
     int threads = 0;
     bool elsewhere = false;
 };
-/// A case whose scene is wrong is told and left out: the others are run all the same.
+/// A case whose scene is wrong is reported and left out; the others are run all the same.
 PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const std::filesystem::path& out);
 
 /// Makes or takes the case's runs and judges what they gave. Nothing: stopped on request. A truth that the

@@ -12,7 +12,8 @@ struct JobArray {
     std::string method;
     int cores = 1, ranks = 1;
     std::vector<std::size_t> members = {};
-    double seconds = 0, bytes = 0;  ///< asked for, with margin: of the largest of them, or of its largest rank
+    double seconds = 0,
+           bytes = 0;  ///< [s], [bytes] asked for, with margin: of the largest of them, or of its largest rank
 
     std::string name() const;  ///< "sph_4"; of several ranks "sph_8x4"
 };

@@ -6,7 +6,7 @@
 
 namespace tw::app {
 
-/// What one of Slurm's programs answered.
+/// The answer of one of Slurm's programs.
 struct SlurmAnswer {
     int status = 0;
     std::string text;  ///< standard output and standard error

@@ -16,7 +16,7 @@ struct SubmitOptions {
 /// Writes the batch scripts into the study's folder and submits them. Throws InputError, with Slurm's own words where
 /// it refuses.
 int submit_study(Study study, const SubmitOptions& options, const Common& common);
-/// What the study's command would have been without submit before it and its options.
+/// The study's command without `submit` and the options of it.
 Common common_of_study(const SubmitOptions& options, const Common& common);
 
 struct StudyCommand {

@@ -3,12 +3,12 @@
 
 namespace tw::app {
 
-/// What one run of a study costs.
+/// The cost of one run of a study.
 struct JobCost {
-    double core_seconds = 0;  ///< on one core
-    double bytes = 0;
-    double cores_alone = 1;  ///< that it gets when it runs by itself
-    bool threads = false;    ///< its cores are threads, whose number changes no bit; else ranks of MPI
+    double core_seconds = 0;  ///< on one core [s]
+    double bytes = 0;         ///< [bytes]
+    double cores_alone = 1;   ///< that it gets when it runs by itself [-]
+    bool threads = false;     ///< its cores are threads, whose number changes no bit; else ranks of MPI
 };
 
 /// How many runs of a study go side by side, and what that is worth by prediction.

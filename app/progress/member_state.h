@@ -29,7 +29,7 @@ MemberState::Kind kind_of_name(const std::string& name);
 
 /// Waiting where there is no file, or none that can be read.
 MemberState read_member_state(const std::filesystem::path& file);
-/// What cannot be written is silently not told: a run goes on without it.
+/// A state that cannot be written is left out silently: a run continues without it.
 void write_member_state(const std::filesystem::path& file, const MemberState& state);
 /// Under a temporary name, and renamed; quietly nothing where it cannot be written.
 void replace_quietly(const std::filesystem::path& file, const std::string& text);

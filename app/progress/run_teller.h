@@ -43,7 +43,7 @@ public:
     /// `speaks`: of the processes that share a run one alone writes.
     RunTeller(std::filesystem::path folder, std::string method, double mean_from, bool speaks);
     void progress(const Progress& progress);
-    /// What those who watch the run should know, from the next progress on.
+    /// A message for those who watch the run, shown from the next progress on.
     void warn(const std::string& what) { told_.why = what; }
     /// `state` and `reason` as in a run's record.
     void end(const RunRecord& record);

@@ -36,8 +36,8 @@ struct RunTold {
     double told = 0;                ///< when [s since 1970]
     double time = 0, duration = 0;  ///< simulated [s]
     double wall = 0, left = 0;      ///< [s]; left 0: not known
-    double steps = 0;
-    double mean_from = 0;  ///< where the means begin [s]
+    double steps = 0;               ///< [-]
+    double mean_from = 0;           ///< where the means begin [s]
     std::vector<ForceTold> forces = {};
     std::vector<CertificateLine> checks = {};
 
@@ -57,7 +57,7 @@ RunTold read_run_told(const std::filesystem::path& folder);
 struct ListedRun {
     std::string name;
     std::filesystem::path folder;  ///< within that of the results
-    double seconds = 0;            ///< predicted
+    double seconds = 0;            ///< predicted [s]
 };
 /// Those runs as a file in the command's folder of results, OUT/runs.json: with it `status` knows those that have not
 /// begun.

@@ -39,7 +39,7 @@ struct MachineFacts {
     std::vector<std::string> compilers;
     unsigned cores = 0;
     double memory = 0;  ///< [bytes]
-    double pace = 1;    ///< of the particle engine, see machine_pace.h
+    double pace = 1;    ///< of the particle engine [-], see machine_pace.h
     std::vector<PassesPace> passes;
     std::string chosen_passes;
     std::vector<OpenFoam> openfoam;
@@ -48,7 +48,7 @@ struct MachineFacts {
 /// "avx512_16 4.1, avx512 3.2 million evaluations/s", the fastest first.
 std::string passes_line(std::vector<PassesPace> paces);
 std::string doctor_json(const MachineFacts& facts);
-/// What runs left, when there is nothing to compare.
+/// The finished runs, where there is nothing to compare.
 std::string runs_json(const std::vector<RunFacts>& runs);
 /// The facts of the comparison, and beside them `runs` and, where there is one, `ladder`.
 std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const Ladder* ladder = nullptr);

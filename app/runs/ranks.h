@@ -22,8 +22,8 @@ void refuse_unshared(const PlannedRun& plan, const RunCommand& command);
 struct RanksTake {
     std::string line;
     int ranks = 1;
-    double particles = 0, copies = 0, bytes = 0, seconds = 0;  ///< of the rank with most
-    double bytes_at_start = 0;                                 ///< of the first one
+    double particles = 0, copies = 0, bytes = 0, seconds = 0;  ///< of the rank with most [-], [-], [bytes], [s]
+    double bytes_at_start = 0;                                 ///< of the first one [bytes]
 };
 RanksTake ranks_take(const PlannedRun& plan, int option);
 

@@ -36,7 +36,7 @@ PlannedRun plan_run(const RunRequest& request);
 struct MethodRun {
     std::filesystem::path folder;  ///< of this method's run
     bool resume = false, overwrite = false;
-    std::function<void(const Progress&)> progress = {};  ///< is told too
+    std::function<void(const Progress&)> progress = {};  ///< called as well
 };
 /// Runs it with a progress bar; stops on request after saving state. What it took is remembered for the next
 /// prediction (machine_pace.h).

@@ -12,7 +12,8 @@ struct Member {
     std::string name, method;
     std::filesystem::path folder;
     RunRequest request;
-    double seconds = 0, bytes = 0, elements = 0;  ///< predicted, on the cores that are asked for; of this machine
+    double seconds = 0, bytes = 0,
+           elements = 0;  ///< predicted, on the cores that are asked for; of this machine [s], [bytes], [-]
 };
 
 /// Elements that are worth a core.

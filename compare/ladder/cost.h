@@ -6,7 +6,7 @@
 
 namespace tw {
 
-/// What one run of a ladder cost, and how far its value may be off.
+/// The cost of one run of a grid-convergence study, and the uncertainty of its value.
 struct CostPoint {
     double spacing = 0;                   ///< [m]
     double seconds = 0;                   ///< wall time, meshing and particle generation counted [s]
@@ -24,7 +24,7 @@ struct CostPoint {
 struct CostOfAccuracy {
     std::vector<CostPoint> points;    ///< finest first
     double slope = nan;               ///< [-]; above 0 where there is a line
-    double U_fit = nan, T_fit = nan;  ///< one point of the line: geometric means of the levels
+    double U_fit = nan, T_fit = nan;  ///< one point of the line: geometric means of the levels [unit], [s]
     std::string why_not;              ///< why there is no line; empty where there is one
 
     bool known() const { return why_not.empty(); }

@@ -9,7 +9,7 @@ namespace tw {
 
 // The steps in which build_ladder makes a ladder: sides.cpp, variation.cpp, value.cpp, held.cpp, verdict.cpp.
 
-/// What a record says of it.
+/// The settings of a record's run.
 Family family_of(const RunRecord& record);
 
 /// "delta is 0.1 and 0.2, effect shifting is on and off": what the records show of it.
@@ -27,9 +27,9 @@ void add_variation(std::vector<LadderSide>& sides, LadderVariation variation);
 /// A choice that should not matter, made otherwise: the share of the error that it leaves in the ladder's value is
 /// `factor` |value - varied value|, with 1/(1 - 1/r^q) for a choice made finer by r whose error falls with order q.
 struct Varied {
-    std::string name;  ///< "sound speed x 1.5"
-    double factor = 1;
-    double steps = 1;  ///< how many times as many time steps it is to take; 1: they are not what it changes
+    std::string name;   ///< "sound speed x 1.5"
+    double factor = 1;  ///< [-]
+    double steps = 1;   ///< how many times as many time steps it is to take [-]; 1: they are not what it changes
 };
 /// `varied` against `base`, where they differ in nothing but the sound speed, a time step made shorter, or a surface
 /// captured geometrically, another model whose change counts in full.

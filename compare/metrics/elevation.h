@@ -7,7 +7,7 @@ namespace tw {
 /// [m]: column integral of the connected water (elevations()). Columns under the hull's plan view are NaN: their
 /// surface is not free. `deviation`: standard deviation over time.
 struct ElevationMap {
-    std::vector<float> mean, deviation;
+    std::vector<float> mean, deviation;  ///< [m], one for each raster column, x fastest
     std::size_t frames = 0;
 };
 ElevationMap mean_elevation(const RunRecord& record, double from);
@@ -19,7 +19,7 @@ std::vector<Cut> elevation_cuts(const RunRecord& record, const ElevationMap& map
 /// Highest and lowest point of a cut with the standard error of its mean elevation [m]; NaN when the cut holds no
 /// value.
 struct Extreme {
-    double value, deviation, position;
+    double value, deviation, position;  ///< [m]
 };
 Extreme crest(const Cut& cut);
 Extreme trough(const Cut& cut);

@@ -41,7 +41,7 @@ inline constexpr double arrival_share = 0.1;
 
 /// How far below and above the value the truth may lie [unit].
 struct ReadingBounds {
-    double below = 0, above = 0;
+    double below = 0, above = 0;  ///< [unit of the value]
 };
 
 /// Of an arrival [s]: to either side root of the sum of squares of the time from half the threshold on, or to twice the

@@ -33,8 +33,9 @@ std::vector<float> splash_envelope(const RunRecord& record, double from);
 /// (twice the half width for a half model); the mean over x. NaN when nothing behind the hull rises above still water
 /// by half a voxel edge.
 struct WakeWidth {
-    double mean = nan;   ///< [m]
-    double clipped = 0;  ///< share of the stations where the outermost column is the raster's: they are wider than seen
+    double mean = nan;  ///< [m]
+    double clipped =
+        0;  ///< share of the stations where the outermost column is the raster's [-]: they are wider than seen
 };
 WakeWidth wake_width(const RunRecord& record, const std::vector<float>& envelope, double still_level);
 

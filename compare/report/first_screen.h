@@ -47,7 +47,7 @@ struct Strip {
 /// a line and an axis of its own, about zero.
 std::string svg(const Strip& strip);
 
-/// What a reader has to know before trusting the numbers, one line each.
+/// The reservations that a reader has to know before trusting the numbers, one line each.
 struct Doubt {
     bool grave = false;  ///< a check that is not met, or a reference that every method misses; else something to know
     std::string text;
@@ -57,7 +57,7 @@ struct Doubt {
 /// squares of the value's and the reference's); checks that are not met; what stands on top of the report.
 std::vector<Doubt> doubts_of(const Comparison& comparison);
 
-/// What would make a comparison say more, as a reader would do it.
+/// The next runs that would make a comparison more conclusive, as commands.
 struct NextStep {
     std::string what;     ///< "Simulate longer: the means need about 0.9 s more."
     std::string command;  ///< for a shell

@@ -8,7 +8,7 @@
 
 namespace tw {
 
-/// What nobody waits for: further runs are spoken of up to this wall time [s]. `check` refuses longer ones.
+/// Further runs are proposed up to this wall time [s]. `check` refuses longer ones.
 inline constexpr double longest_runs = 30 * 86400.0;
 
 /// What the sentence of one verdict is made of. Values in the quantity's unit; one or two methods, the names as in

@@ -10,24 +10,24 @@ namespace tw {
 struct PlotLine {
     std::string name;  ///< in the legend; empty: not there
     std::size_t source = 0;
-    std::vector<double> x, y;  ///< NaN interrupts the line
+    std::vector<double> x, y;  ///< [units of the axes], of equal length; NaN interrupts the line
     bool faint = false, dashed = false;
     bool points = false;  ///< a dot at every value
 };
 /// A settled mean with its interval over the window it was taken from.
 struct PlotBand {
     std::size_t source = 0;
-    double from = 0, to = 0, value = 0, half_width = 0;  ///< as the axes
+    double from = 0, to = 0, value = 0, half_width = 0;  ///< [units of the axes]
 };
 /// A horizontal reference with a label.
 struct PlotLevel {
     std::string name;
-    double value = 0;  ///< as the axis y
+    double value = 0;  ///< [unit of the axis y]
 };
 /// A picture laid under the axes in data coordinates.
 struct PlotImage {
     std::string png_base64;
-    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< as the axes
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< [units of the axes]
 };
 
 /// A box in data coordinates: its edges in the source's colour over a pale filling (none where dashed), its label where
@@ -36,13 +36,13 @@ struct PlotBox {
     std::string label;
     std::size_t source = 0;
     bool dashed = false;
-    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< as the axes
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< [units of the axes]
     std::vector<PlotBox> parts = {};  ///< boxes side by side along x, drawn as one outline in place of the box
 };
 /// A solid's shadow: at each x, `step` apart, it covers [low, high]; an x may come several times.
 struct PlotShadow {
-    double step = 0;                   ///< as the axis x
-    std::vector<double> x, low, high;  ///< of equal length, in the plot's units
+    double step = 0;                   ///< [unit of the axis x]
+    std::vector<double> x, low, high;  ///< [units of the axes], of equal length
 };
 
 struct Plot {
@@ -97,7 +97,7 @@ std::string figure_html(const LivePlot& plot);
 
 /// A rectangle on a drawing, y down [px].
 struct DrawnBox {
-    double left = 0, top = 0, right = 0, bottom = 0;
+    double left = 0, top = 0, right = 0, bottom = 0;  ///< [px]
     bool overlaps(const DrawnBox& b) const {
         return left < b.right && b.left < right && top < b.bottom && b.top < bottom;
     }
@@ -107,7 +107,7 @@ struct DrawnBox {
 };
 /// One with a label of this width.
 struct LabelBox : DrawnBox {
-    double label_width = 0;
+    double label_width = 0;  ///< [px]
 };
 
 /// Where the labels of boxes stand: in a corner of their box or beside it, within the frame, on no other label, and

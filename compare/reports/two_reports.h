@@ -8,10 +8,10 @@ namespace tw {
 
 /// A value of a report with the half width of its interval; nan: not known, or it has none.
 struct ReportedValue {
-    double value = 0, half_width = 0;
+    double value = 0, half_width = 0;  ///< [unit of the quantity]
 };
 
-/// What a report.json says of one of its runs.
+/// One run in a report.json.
 struct ReportedRun {
     std::string name;                               ///< "sph", "fvm", "fvm 2", ...
     std::map<std::string, double> numbers;          ///< of the record; nan where the report has null
@@ -23,7 +23,7 @@ struct ReportedQuantity {
     std::vector<ReportedValue> values;  ///< one per run
 };
 
-/// What two reports are compared by.
+/// The values by which two reports are compared.
 struct ReportFacts {
     std::filesystem::path file;
     std::vector<ReportedRun> runs;

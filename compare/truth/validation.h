@@ -9,14 +9,14 @@
 
 namespace tw {
 
-/// What is true of a quantity, as far as it is known.
+/// The true value of a quantity, as far as it is known.
 struct Truth {
     double value = nan, half_width = 0;  ///< of its 95 % interval [unit]
     std::string standing;                ///< exact, measured, digitised, derived
     std::string source;                  ///< where it is from, in words
 };
 
-/// What became of one method's value against the truth (the rule stands at judge_against).
+/// The result of one method's value against the truth (the rule stands at judge_against).
 enum class Outcome { met, near, undecided, not_converged, missed, failed, not_run };
 std::string to_string(Outcome outcome);       ///< "met", "near", "undecided", "not_converged", ...
 std::string outcome_label(Outcome outcome);   ///< "met", "within the goal", "undecided", ...
@@ -53,7 +53,7 @@ struct ValidatedQuantity {
     std::vector<ValidatedValue> values;             ///< one per method that was asked
 };
 
-/// What one method of a case took, all sizes together.
+/// The cost of one method in a case, all sizes together.
 struct CaseCost {
     std::string method;
     double core_seconds = 0, seconds = 0;  ///< processor time, wall time [s]
@@ -69,7 +69,7 @@ struct ValidatedCase {
     std::vector<std::string> versions = {};  ///< of the program, as the runs' records say
 };
 
-/// What one call of `twinwake validate` found.
+/// The results of one call of `twinwake validate`.
 struct ValidationReport {
     std::string title, tier, version, machine, date, command;
     std::vector<ValidatedCase> cases;

@@ -44,9 +44,9 @@ ReportTable validation_table(const ValidationReport& report);
 ReportTable validation_table(const ValidatedCase& one);
 /// How many intervals hold the truth, by family and method.
 ReportTable family_table(const ValidationReport& report);
-/// What U_val is made of, with the values of all sizes.
+/// The parts of U_val, with the values of all sizes.
 ReportTable parts_table(const ValidatedCase& one);
-/// What each method makes of the sizes of every value.
+/// The estimate of each method from the sizes of every value.
 ReportTable estimators_table(const ValidatedCase& one);
 /// How often the intervals of each method hold the truth.
 ReportTable estimators_table(const ValidationReport& report);

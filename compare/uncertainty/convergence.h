@@ -12,7 +12,7 @@ namespace tw {
 
 struct Estimate;
 
-/// What one method makes of a study's sizes.
+/// The estimate of one method from the sizes of a study.
 struct MethodEstimate {
     std::string method;      ///< one of uncertainty_methods()
     std::size_t levels = 0;  ///< how many sizes it uses
@@ -25,7 +25,7 @@ struct MethodEstimate {
 const std::vector<std::string>& uncertainty_methods();
 /// "trend and noise", "Eça & Hoekstra", "GCI", "factor of safety".
 std::string uncertainty_method_label(const std::string& method);
-/// What every method says, in that order.
+/// The estimate of every method, in that order.
 std::vector<MethodEstimate> method_estimates(const Estimate& estimate);
 
 /// What a refinement study says of one quantity. The headline (limit, uncertainty) comes
@@ -54,9 +54,9 @@ struct Estimate {
     std::string why_not;       ///< why there is no uncertainty; empty where there is one
     /// U of every level, finest first [unit of the value]: trend_noise.h; with two levels
     /// U_1 |phi_i - limit|/|phi_1 - limit|. Empty where there is no uncertainty.
-    std::vector<double> uncertainties;
+    std::vector<double> uncertainties;  ///< [unit of the value]; as many as levels, or none
     /// Largest over smallest U of Eca & Hoekstra, GCI and factor of safety, where two or more have one above 0 [-].
-    double disagreement = nan;
+    double disagreement = nan;  ///< [-]
     TrendNoise trend_noise;
     EcaHoekstra eca_hoekstra;
     CelikGci celik_gci;  ///< the assumed order and Fs = 3 where there are two levels

@@ -9,13 +9,13 @@ namespace tw {
 struct RefinementTable {
     struct Column {
         std::string name;            ///< from the header line, as written
-        std::vector<double> values;  ///< one per row
+        std::vector<double> values;  ///< [unit of the column], one per row
         /// Half a unit of the last place that the column's cells are written to, the finest of them: a program that
         /// prints %g leaves trailing zeros out.
         double rounding = 0;  ///< [unit of the column]
     };
     std::string spacing_name;     ///< as written, or what was made of it: "(cells)^(-1/3)"
-    std::vector<double> spacing;  ///< one per row, in the order of the file, > 0
+    std::vector<double> spacing;  ///< [unit of the column], > 0, one per row, in the order of the file
     std::vector<Column> columns;  ///< the quantities, one or more
 };
 

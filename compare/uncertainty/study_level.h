@@ -7,8 +7,8 @@ namespace tw {
 
 /// One run of a refinement study: its representative size h_i and the quantity phi_i found with it.
 struct StudyLevel {
-    double h = 0;           ///< h_i: cell size or particle spacing where it matters for the quantity, > 0; any one unit
-    double value = 0;       ///< phi_i, any unit
+    double h = 0;      ///< h_i: cell size or particle spacing where it matters for the quantity, > 0 [any one unit]
+    double value = 0;  ///< phi_i [any one unit]
     double half_width = 0;  ///< of the 95 % interval of phi_i's own noise, such as a time mean's [unit of the value]
     double rounding = 0;    ///< bound of what digits or arithmetic leave open of phi_i [unit of the value]
 };

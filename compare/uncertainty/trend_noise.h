@@ -40,7 +40,7 @@ struct TrendNoise {
     double uncertainty = nan;    ///< U of the finest value: |phi_1 - phi0| is below it with 95 % [unit of the value]
     /// U of every level, finest first: U_1 in the proportion of sqrt(sigma^2 + (fit at h_i - phi0)^2), the error that the
     /// model expects of a value with that spacing [unit of the value].
-    std::vector<double> uncertainties;
+    std::vector<double> uncertainties;  ///< [unit of the value]
 };
 
 /// `levels`: as from finest_first; fewer than three: not known. `p_th` > 0: the order of the scheme [-].

@@ -17,11 +17,11 @@ namespace tw {
 /// limit, p = 0, lies at R = ln r21 / ln r32: a value that goes as ln h changes by that much and has no limit. For
 /// alternating signs p = 0 is |R| = 1 with any ratios.
 struct Triplet {
-    double r21 = 0, r32 = 0;      ///< [-]
-    double eps21 = 0, eps32 = 0;  ///< [unit of the value]
-    double R = nan;
+    double r21 = 0, r32 = 0;                         ///< [-]
+    double eps21 = 0, eps32 = 0;                     ///< [unit of the value]
+    double R = nan;                                  ///< [-]
     Convergence convergence = Convergence::unknown;  ///< unchanged, monotone, oscillatory or divergent
-    double p = nan;                                  ///< > 0; only where monotone or oscillatory
+    double p = nan;                                  ///< [-], > 0; only where monotone or oscillatory
 };
 /// `levels`: three or more, as from finest_first; only the first three count.
 Triplet finest_triplet(std::span<const StudyLevel> levels);

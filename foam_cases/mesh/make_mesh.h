@@ -5,11 +5,11 @@
 namespace tw {
 
 struct MeshOutcome {
-    bool stopped = false;  ///< the watch asked for it
-    double cells = 0;
-    bool clean = true;  ///< checkMesh said "Mesh OK"
-    std::string check;  ///< else what it found
-    double cpu = 0, peak_memory = 0;
+    bool stopped = false;             ///< the watch asked for it
+    double cells = 0;                 ///< [-]
+    bool clean = true;                ///< checkMesh said "Mesh OK"
+    std::string check;                ///< else what it found
+    double cpu = 0, peak_memory = 0;  ///< [s], [bytes]
     int ranks = 1;
 };
 

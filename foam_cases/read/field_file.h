@@ -12,7 +12,7 @@ namespace tw {
 struct FieldFile {
     int components = 1;
     bool uniform = false;
-    std::vector<double> values;  ///< one tuple when uniform
+    std::vector<double> values;  ///< one tuple when uniform [unit of the field]
 
     std::size_t cells() const { return values.size() / static_cast<std::size_t>(components); }
     double scalar(std::size_t cell) const { return values[uniform ? 0 : cell]; }

@@ -41,9 +41,9 @@ public:
     void show_hull(const TimeFolders::Moment& moment, RunRecord& record) const;
 
 private:
-    struct Part {  ///< one root: the case or a processor's share
-        std::vector<Vec3> centres;
-        std::vector<double> volumes;
+    struct Part {                     ///< one root: the case or a processor's share
+        std::vector<Vec3> centres;    ///< of the cells [m]
+        std::vector<double> volumes;  ///< of the cells [m3]
     };
     bool frame_is_due(double time, const SolverLog& log, const RunRecord& record) const;
     void read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const;

@@ -14,10 +14,10 @@ namespace tw {
 /// wrote them.
 struct HullPatch {
     struct Face {
-        Vec3 centre = Vec3::Zero();
-        Vec3 area = Vec3::Zero();  ///< pointing out of the flow, into the hull [m2]
-        double pressure = 0;       ///< [Pa], 0 in the open air
-        double water = 0;          ///< volume fraction at the wall
+        Vec3 centre = Vec3::Zero();  ///< [m]
+        Vec3 area = Vec3::Zero();    ///< pointing out of the flow, into the hull [m2]
+        double pressure = 0;         ///< [Pa], 0 in the open air
+        double water = 0;            ///< volume fraction at the wall [-]
         Vec3 shear =
             Vec3::Zero();  ///< wallShearStress: kinematic stress of the wall on the fluid, as OpenFOAM signs it [m2/s2]
     };

@@ -13,8 +13,8 @@ class LevelAtEnds {
 public:
     explicit LevelAtEnds(const Scene& scene);
     void add(const Vec3& cell, double volume, double water);  ///< of each cell [m], [m3]
-    /// Into the last row of the record's samples; of the inlet's the mean from `mean_from` on as a line of the
-    /// certificate: the stream is another one than the scene's where its level is not held within 1 % of its depth.
+    /// Into the last row of the record's samples; the inlet's mean from `mean_from` on becomes a validity check, which
+    /// fails where it departs by more than 1 % of the depth.
     void keep(RunRecord& record) const;
 
 private:

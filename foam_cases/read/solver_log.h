@@ -19,10 +19,10 @@ public:
     };
     struct Step {
         double time = 0, step = 0;              ///< [s]
-        double courant = 0, alpha_courant = 0;  ///< largest, anywhere and at the surface
-        double water = 0;                       ///< volume fraction of the domain; NaN before the first solution
-        double least = 0, most = 0;             ///< water fraction of any cell
-        double continuity = 0;                  ///< error of it after the last corrector, in volumes of the domain
+        double courant = 0, alpha_courant = 0;  ///< largest, anywhere and at the surface [-]
+        double water = 0;                       ///< volume fraction of the domain [-]; NaN before the first solution
+        double least = 0, most = 0;             ///< water fraction of any cell [-]
+        double continuity = 0;                  ///< error of it after the last corrector, in volumes of the domain [-]
         double cpu = 0;                         ///< ExecutionTime since this start of the solver [s]
         std::vector<Body> bodies;               ///< of several, as the step left them; empty with one
     };

@@ -16,7 +16,7 @@ public:
     bool decomposed() const { return roots_.front() != case_; }
 
     struct Moment {
-        double time = 0;
+        double time = 0;  ///< [s]
         std::string name;
     };
     /// Times after 0 that exist in any root, ascending.

@@ -12,19 +12,19 @@ namespace tw {
 /// Stops that OpenFOAM lacks: what makes the rest of a run wrong or endless. Fast air in some cells does not.
 struct Limits {
     double smallest_step = 1e-8;                          ///< [s]
-    double collapse = 1e-3;                               ///< of the usual (median) step...
+    double collapse = 1e-3;                               ///< of the usual (median) step [-]...
     int collapsed_steps = 100;                            ///< ...for so many steps on end
     double air_speed = 1e30;                              ///< [m/s], faster than air is pressed out of any gap
     double water_speed = 1e30;                            ///< [m/s]...
-    double fast_water = 1e-3;                             ///< ...that no more than this share of the water may have
+    double fast_water = 1e-3;                             ///< ...that no more than this share of the water may have [-]
     bool gains_no_water = false, loses_no_water = false;  ///< tanks; the second where they are closed
-    double water = 0.02;                                  ///< share of the water that may come or go all the same
-    double stream_water = 1e30;  ///< share by which the water in a stream's box may become more or less
-    double fraction = 0.5;       ///< by which any cell's water fraction may lie outside 0 to 1
-    double continuity = 1e-3;    ///< error that a step leaves, in volumes of the domain; sound runs: up to 1e-5
-    double energy_made = 0.2;    ///< of the water's height above the tank's floor at the start (energy_of_height)
+    double water = 0.02;                                  ///< share of the water that may come or go all the same [-]
+    double stream_water = 1e30;  ///< share by which the water in a stream's box may become more or less [-]
+    double fraction = 0.5;       ///< by which any cell's water fraction may lie outside 0 to 1 [-]
+    double continuity = 1e-3;    ///< error that a step leaves, in volumes of the domain [-]; sound runs: up to 1e-5
+    double energy_made = 0.2;    ///< over the water's height above the tank's floor at the start (energy_of_height) [-]
 };
-/// What of them a scene has.
+/// The limits that apply to a scene.
 Limits limits_of(const CasePlan& plan);
 
 /// In plain words what is wrong and a likely cause; nothing while all is well. `largest_speed`, of air and water [m/s],

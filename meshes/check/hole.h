@@ -9,9 +9,9 @@ namespace tw {
 
 /// Size and flatness of a hole, by its rim.
 struct Hole {
-    Vec3 centre = Vec3::Zero();
-    double diameter = 0;    ///< twice the largest distance of a rim point from the centre [m]
-    double unevenness = 0;  ///< largest distance of a rim point from the plane through the centre [m]
+    Vec3 centre = Vec3::Zero();  ///< [m]
+    double diameter = 0;         ///< twice the largest distance of a rim point from the centre [m]
+    double unevenness = 0;       ///< largest distance of a rim point from the plane through the centre [m]
 };
 
 inline Hole measured(const Surface& s, const Loop& loop) {

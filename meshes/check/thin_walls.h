@@ -8,7 +8,7 @@ namespace tw {
 struct ThinWalls {
     double area = 0;            ///< of the surface on both sides of the thin parts [m2]
     double typical = 0;         ///< thickness that half of this area falls below [m]
-    Vec3 place = Vec3::Zero();  ///< where it has that thickness
+    Vec3 place = Vec3::Zero();  ///< where it has that thickness [m]
 };
 ThinWalls find_thin_walls(const Surface& surface, double limit);
 

@@ -18,7 +18,7 @@ namespace tw {
 
 /// What a reader of VTK has read, as plain arrays: the polygons of a surface, or the cells of a grid.
 struct VtkArrays {
-    std::vector<double> points;         ///< x, y, z of each
+    std::vector<double> points;         ///< x, y, z of each [unit of the file]: 3 times their number
     std::vector<std::int64_t> corners;  ///< of all cells, one after the other; all are among the points
     std::vector<std::int64_t> ends;     ///< of each cell's corners
     std::vector<std::uint8_t> types;    ///< VTK's numbers of the cells; of a surface empty
@@ -26,7 +26,7 @@ struct VtkArrays {
         std::string name;
         bool of_points = false;  ///< else of cells
         std::int64_t components = 1;
-        std::vector<double> values;  ///< as many for every point, or cell
+        std::vector<double> values;  ///< as many for every point, or cell [unit of the file]
     };
     std::vector<Values> values;
     std::string complaint;  ///< VTK's first, of what is not there; empty: none

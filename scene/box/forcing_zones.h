@@ -19,8 +19,8 @@ struct ForcingZone {
     bool high = false;          ///< at the face of larger coordinate
     double begin = 0, end = 0;  ///< along the axis [m]: where b rises from 0, and the face, where it is 1
     double gamma = 0;           ///< [1/s]
-    double share = 1;           ///< u_ref over the stream's speed: of the water behind it may be another (tailwater.h)
-    bool makes_wave = false;    ///< u_ref is the scene's wave
+    double share = 1;  ///< u_ref over the stream's speed [-]: of the water behind it may be another (tailwater.h)
+    bool makes_wave = false;  ///< u_ref is the scene's wave
 };
 struct ForcingZones {
     std::vector<ForcingZone> zones = {};

@@ -32,12 +32,12 @@ struct ElasticTyre {
     double contact_stiffness() const { return 1e6 / contact_depth; }  ///< [Pa/m]
 };
 
-/// What an elastic body of a scene can be.
+/// The kinds of elastic bodies of a scene.
 using ElasticPart = std::variant<ElasticPlate, ElasticTyre>;
 
 /// The tyre about its axle, before it is blown up. Throws InputError: see structure/tyre.h and structure/solid/solid.h.
 structure::Solid solid_of(const ElasticTyre& tyre);
-/// What its rim leaves it. Throws InputError where rim and load weigh less than nothing.
+/// The degrees of freedom that its rim leaves. Throws InputError where rim and load weigh less than nothing.
 structure::DegreesOfFreedom dofs_of(const ElasticTyre& tyre, const structure::Solid& solid);
 
 }  // namespace tw

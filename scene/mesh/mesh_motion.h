@@ -29,7 +29,7 @@ struct MeshMotion {
 /// What the mesh follows: the scene's bodies, or, as a body named hull, a hull that is free.
 std::vector<MovingBody> followed_by_mesh(const Scene& scene);
 
-/// Of what the mesh follows: round a hull in a stream it is morphed. Of a body, by [fvm] body_mesh; with "auto" the mesh
+/// How the mesh follows: round a hull in a stream it is morphed. Of a body, by [fvm] body_mesh; with "auto" the mesh
 /// is morphed where the body's way is known to be shorter than half of what lies between the body and the nearest wall,
 /// because that keeps walls and floor; else it moves as a whole. Round several free bodies it is morphed within half of
 /// the shortest distance between two of them. Throws InputError for what the mesh method cannot move: two free

@@ -8,7 +8,7 @@ namespace tw {
 /// Particles of one size: those that are the water of their zone, and those that stand for water of the next larger
 /// and the next smaller size.
 struct ParticlesOfSize {
-    double spacing = 0, active = 0, guards = 0, parents = 0;
+    double spacing = 0, active = 0, guards = 0, parents = 0;  ///< [m]; numbers of particles [-]
     double all() const { return active + guards + parents; }
 };
 /// When particles are counted. Only water that runs into finer zones makes a difference (running_water.h).

@@ -22,11 +22,11 @@ void check_places(Scene& scene, Sections& s);
 /// Bodies that move start inside the domain, clear of its walls, of obstacles and of each other, with numerics that can
 /// move them. What is odd about them becomes a finding.
 void check_bodies(Scene& scene, Sections& s);
-/// What is not solved in a tank that moves; after the effects are known.
+/// Refuses what is not solved in a tank that moves; after the effects are known.
 void check_tank_motion(const Scene& scene, Sections& s);
 /// A hull is free in a stream only, with numerics that can move it; what is odd about it becomes a finding.
 void check_free_hull(Scene& scene, Sections& s);
-/// What elastic bodies cannot be solved with; after the effects are known.
+/// Refuses what elastic bodies cannot be solved with; after the effects are known.
 void check_elastic(const Scene& scene, Sections& s);
 /// A gate is a plane in three dimensions, and takes particles of one size in water alone; after the effects are known.
 void check_gate(const Scene& scene, const SceneSection& sph);

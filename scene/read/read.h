@@ -27,16 +27,16 @@ std::optional<double> read_motion(SceneSection& s, Scene& scene, bool has_hull);
 
 /// Works out scene.wave or scene.sea from what is asked for, once the tank and its water are known.
 void settle_wave(Scene& scene, Sections& s);
-/// What can be judged only with sizes and effects. Throws InputError.
+/// Checks of the wave that need sizes and effects. Throws InputError.
 void check_wave(const Scene& scene, Sections& s);
 
 struct ResolutionOptions {
-    std::optional<double> spacing, near_hull;
+    std::optional<double> spacing, near_hull;  ///< [m]
 };
 ResolutionOptions read_resolution(SceneSection& s);
 
 struct DomainOptions {
-    std::optional<double> ahead, behind, side, below, above;
+    std::optional<double> ahead, behind, side, below, above;  ///< [m]
     std::optional<std::pair<double, double>> x, y, z;
     int dimensions = 3;
     bool empty() const { return !ahead && !behind && !side && !below && !above && !x && !y && !z; }
@@ -65,8 +65,8 @@ std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections);
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
 struct FreeHullOptions {
     DegreesOfFreedom free;
-    double mass = 0;  ///< [kg]
-    std::optional<double> lcg, vcg, gyradius, release;
+    double mass = 0;                                    ///< [kg]
+    std::optional<double> lcg, vcg, gyradius, release;  ///< [m], [m], [m], [s]
 };
 struct HullOptions {
     Hull hull;

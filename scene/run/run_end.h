@@ -16,7 +16,7 @@ bool may_end(const Scene& scene, const RunRecord& record);
 /// `settled` [s], which then is its duration, or at its bound without. Nothing where the scene is run to its duration.
 std::string note_end(const Scene& scene, RunRecord& record, std::optional<double> settled);
 
-/// Takes that back in a record that is resumed.
+/// Removes that mark from a record that is resumed.
 void forget_end(RunRecord& record);
 
 /// Whether a run of this record (same run hash) has nothing left to do in this scene: it is finished, and as long as

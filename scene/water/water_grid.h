@@ -9,7 +9,7 @@
 
 namespace tw {
 
-/// What bounds water at the start beside the faces of its blocks.
+/// The surfaces that bound water at the start beside the faces of its blocks.
 struct WaterBounds {
     int dimensions = 3;
     Box domain;
