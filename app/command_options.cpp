@@ -283,6 +283,9 @@ void validate_options(CLI::App& c, ValidateCommand& validate) {
         ->check(CLI::IsMember(method_choices()));
     c.add_option("--against", validate.against,
                  "validation.json of an earlier report: what became worse or better, by name");
+    c.add_option(
+        "--keep", validate.keep,
+        "validation.json of an earlier report: what is not run now is taken from it, with its version and day");
     c.add_option("--require", validate.require,
                  "exit status 4 unless: goals, every value meets its goal or is a known miss; no-worse, none is worse "
                  "than in --against")
@@ -296,7 +299,8 @@ void validate_options(CLI::App& c, ValidateCommand& validate) {
     c.add_option("--pages", validate.pages, "folder for Markdown pages made from the report: README.md and one a case");
     c.add_option("--into", validate.into,
                  "Markdown page, written by hand, whose tables are made anew: between a line <!-- validate: families "
-                 "--> or <!-- validate: values --> and <!-- /validate -->; can be given again")
+                 "-->, <!-- validate: values --> or <!-- validate: shortfalls --> and <!-- /validate -->; can be given "
+                 "again")
         ->type_name("FILE ...");
     c.add_flag("--formulas", validate.formulas, "list the formulas that a truth may name, and run nothing");
     add_rerun(c, validate.overwrite);

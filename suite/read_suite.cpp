@@ -36,6 +36,7 @@ SuiteScene read_suite_scene(Section& s, const TextValue& raw, const std::string&
     const std::optional<std::string> file = s.text(file_key);
     if (!file) s.fail(file_key, "missing; expected a scene file, relative to this one");
     scene.file = (s.file().parent_path() / *file).lexically_normal();
+    scene.place = s.where(file_key);
     if (const auto methods = s.choices("methods", method_names())) scene.methods = *methods;
     scene.levels = static_cast<int>(s.number("levels", scene.levels, "-", {1, 8}));
     scene.ratio = s.number("ratio", scene.ratio, "-", {1.05, 4});

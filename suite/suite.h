@@ -19,6 +19,7 @@ const std::vector<std::string>& suite_tiers();  ///< minutes, hour, night, gpu
 struct SuiteScene {
     std::string name;  ///< of its folder of results; empty: the case's only one
     std::filesystem::path file;
+    std::string place = {};  ///< "suite.toml:5:9: [case] scene", for messages
     SceneOverrides changes = {};
     std::vector<std::string> methods = {};  ///< empty: the scene's
     int levels = 3;                         ///< sizes, the scene's own and coarser ones

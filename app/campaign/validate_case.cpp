@@ -1,6 +1,7 @@
 #include "app/campaign/validate_case.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,8 @@ struct SceneHarvest {
     std::optional<Ladder> ladder;
     std::map<std::string, std::string> why_failed;  ///< by method: of its own size
     std::vector<CaseCost> costs;
-    std::vector<std::string> versions;
+    std::map<std::string, std::vector<std::string>> versions;  ///< by method: of the program, as the records say
+    std::map<std::string, std::string> dates;                  ///< by method: the last day on which a run was begun
 };
 
 /// The readings of a case's quantities stand beside those that every report has.
@@ -102,9 +104,12 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
         if (result.there() && job.is_empty_twin()) {
             charge(harvest, ladder_run(std::move(*result.record)));
         } else if (result.there()) {
+            std::vector<std::string>& versions = harvest.versions[run.method];
             if (const std::string& version = result.record->attributes["code_version"];
-                std::ranges::find(harvest.versions, version) == harvest.versions.end())
-                harvest.versions.push_back(version);
+                std::ranges::find(versions, version) == versions.end())
+                versions.push_back(version);
+            std::string& date = harvest.dates[run.method];
+            date = std::max(date, result.record->attributes["started"].substr(0, std::size("2026-01-31") - 1));
             LadderRun made = with_readings(run.folder / "record.h5", std::move(*result.record), planned, place);
             charge(harvest, made);
             into(std::move(made));
@@ -155,6 +160,8 @@ ValidatedValue value_of(const SuiteQuantity& q, const std::string& method, const
                         double near_hull) {
     ValidatedValue v;
     v.method = method, v.outcome = Outcome::failed;
+    if (const auto made = harvest.versions.find(method); made != harvest.versions.end())
+        v.version = fmt::format("{}", fmt::join(made->second, ", ")), v.date = harvest.dates.at(method);
     if (const auto failed = harvest.why_failed.find(method); failed != harvest.why_failed.end())
         return v.why_not = failed->second, v;
     if (!harvest.ladder) return v.why_not = "no run is finished", v;
@@ -221,7 +228,10 @@ ValidatedQuantity judged_quantity(const SuiteQuantity& q, const PlannedScene& sc
             complain(e.what());
             for (ValidatedValue& v : judged.values) v.value = nan, v.why_not = e.what();
         }
-    for (ValidatedValue& v : judged.values) judge_against(v, judged);
+    for (ValidatedValue& v : judged.values) {
+        bound_by_spread(v, judged);
+        judge_against(v, judged);
+    }
     return judged;
 }
 
@@ -255,17 +265,19 @@ PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const f
     else if (rank(of.tier) > rank(rules.tier))
         planned.why_not = fmt::format("of tier {}; {} was asked for", of.tier, rules.tier);
     if (!planned.why_not.empty()) return planned;
+    std::string place;
     try {
         bool any = false;
         for (const SuiteScene& scene : of.scenes) {
+            place = scene.place;
             planned.scenes.push_back(
                 plan_scene(scene, rules, scene.name.empty() ? out / of.name : out / of.name / scene.name));
             any |= !planned.scenes.back().methods.empty();
         }
         if (!any) planned.why_not = "of no method that was asked for";
     } catch (const InputError& e) {
-        planned.why_not = e.what(), planned.wrong = true;
-        complain(of.name + ": " + e.what());
+        planned.why_not = place + ": " + e.what(), planned.wrong = true;
+        complain(of.name + ": " + planned.why_not);
     }
     for (PlannedScene& scene : planned.scenes)
         for (LadderJob& job : scene.plan.jobs) job.run.name = of.name + ": " + job.run.name;
@@ -290,8 +302,6 @@ std::optional<ValidatedCase> judge_case(const PlannedCase& planned, Campaign& ca
         h.ladder = ladder_of(h.harvest);
         const std::string& name = planned.scenes[k].scene->name;
         write_tables(*h.ladder, name.empty() ? out / of.name : out / of.name / name);
-        for (const std::string& version : h.versions)
-            if (std::ranges::find(c.versions, version) == c.versions.end()) c.versions.push_back(version);
         for (const CaseCost& cost : h.costs) {
             auto at = std::ranges::find(c.costs, cost.method, &CaseCost::method);
             if (at == c.costs.end()) at = c.costs.insert(at, {cost.method});

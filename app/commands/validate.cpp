@@ -64,6 +64,11 @@ int required(const ValidateCommand& command, const ValidationReport& report,
 }
 
 int finish(const ValidateCommand& command, ValidationReport report, const fs::path& out, const Common& common) {
+    if (!command.keep.empty()) {
+        ValidationReport earlier = read_validation(command.keep);
+        if (!earlier.estimator.empty()) judge_by(earlier, uncertainty_methods().front());
+        keep_values(report, earlier);
+    }
     if (!command.estimator.empty()) judge_by(report, command.estimator);
     std::vector<ValidationChange> changes;
     if (!command.against.empty()) changes = changes_between(read_validation(command.against), report);
@@ -109,11 +114,14 @@ int run_validate(const ValidateCommand& command, const Common& common) {
         throw InputError("--require no-worse: expected an earlier report to be no worse than: --against FILE");
     if (fs::is_regular_file(command.suite)) {
         const fs::path out = command.out.empty() ? fs::absolute(command.suite).parent_path() : command.out;
-        return finish(command, read_validation(command.suite), out, common);
+        ValidationReport report = read_validation(command.suite);
+        if (report.estimator.empty()) judge_by(report, uncertainty_methods().front());  // by the rules of this version
+        return finish(command, std::move(report), out, common);
     }
     const Suite suite = read_suite(command.suite);
     refuse_unknown_cases(suite, command.cases);
-    if (!command.against.empty()) read_validation(command.against);  // refused before hours are spent
+    for (const fs::path& earlier : {command.against, command.keep})
+        if (!earlier.empty()) read_validation(earlier);  // refused before hours are spent
     const fs::path out =
         command.out.empty()
             ? fs::path("runs") / (fs::weakly_canonical(fs::absolute(command.suite)).filename().string() + "_validation")

@@ -10,6 +10,7 @@ struct ValidateCommand {
     std::vector<std::string> cases;  ///< names; empty: all
     std::filesystem::path out;       ///< empty: runs/<name of the suite's folder>_validation
     std::filesystem::path against;   ///< an earlier validation.json; empty: none
+    std::filesystem::path keep;      ///< an earlier validation.json for what is not run; empty: none
     std::filesystem::path pages;     ///< folder for Markdown pages; empty: none
     std::vector<std::filesystem::path> into;  ///< Markdown pages of which the tables are made anew
     std::string estimator;           ///< one of uncertainty_methods(); empty: as the report has it

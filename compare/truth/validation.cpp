@@ -87,15 +87,30 @@ std::map<NameOfValue, Named> values_of(const ValidationReport& report) {
     return all;
 }
 
-/// Of all values, in the order of methods().
-std::vector<std::string> methods_of(const ValidationReport& report) {
-    std::vector<std::string> methods;
-    for (const ValidatedCase& c : report.cases)
-        for (const ValidatedQuantity& q : c.quantities)
-            for (const ValidatedValue& v : q.values)
-                if (std::ranges::find(methods, v.method) == methods.end()) methods.push_back(v.method);
-    std::ranges::sort(methods, {}, [](const std::string& m) { return std::pair(method_rank(m), m); });
-    return methods;
+bool was_run(const ValidatedValue& v) { return v.outcome != Outcome::not_run; }
+
+/// Whether any value was taken.
+bool keep_values(ValidatedQuantity& q, const ValidatedQuantity& old) {
+    std::vector<ValidatedValue> kept;
+    for (ValidatedValue v : old.values) {
+        const auto now = std::ranges::find(q.values, v.method, &ValidatedValue::method);
+        if (!was_run(v) || (now != q.values.end() && was_run(*now))) continue;
+        v.kept = true;
+        kept.push_back(std::move(v));
+    }
+    if (kept.empty()) return false;
+    if (!std::isfinite(q.truth.value)) q.truth = old.truth, q.scale = old.scale, q.goal = old.goal;  // from its runs
+    if (q.label.empty() || q.label == q.name) q.label = old.label;
+    // Where a case was run, a method that has no value is not one of its scene's.
+    std::erase_if(q.values, [](const ValidatedValue& v) { return !was_run(v); });
+    for (ValidatedValue& v : kept) {
+        v.discretisation = v.own_discretisation;
+        bound_by_spread(v, q);
+        judge_against(v, q);
+        q.values.push_back(std::move(v));
+    }
+    std::ranges::sort(q.values, {}, [](const ValidatedValue& v) { return method_rank(v.method); });
+    return true;
 }
 
 std::string in_short(const Named& n) {
@@ -114,6 +129,16 @@ Outcome outcome_of(const std::string& name) {
     for (const OutcomeName& row : outcome_names)
         if (row.name == name) return row.outcome;
     throw std::out_of_range("no outcome is called " + name);
+}
+
+std::vector<std::string> methods_of(const ValidationReport& report) {
+    std::vector<std::string> methods;
+    for (const ValidatedCase& c : report.cases)
+        for (const ValidatedQuantity& q : c.quantities)
+            for (const ValidatedValue& v : q.values)
+                if (std::ranges::find(methods, v.method) == methods.end()) methods.push_back(v.method);
+    std::ranges::sort(methods, {}, [](const std::string& m) { return std::pair(method_rank(m), m); });
+    return methods;
 }
 
 void judge_against(ValidatedValue& v, const ValidatedQuantity& q) {
@@ -135,6 +160,15 @@ void judge_against(ValidatedValue& v, const ValidatedQuantity& q) {
         v.outcome = off <= q.goal ? Outcome::near : Outcome::missed;
 }
 
+void bound_by_spread(ValidatedValue& v, const ValidatedQuantity& q) {
+    const std::string divergent = to_string(Convergence::divergent);
+    if ((v.convergence != divergent && v.convergence != small_changes) || std::isfinite(v.own_discretisation)) return;
+    const auto [low, high] = std::ranges::minmax(v.sizes, {}, &std::pair<double, double>::second);
+    const double U = factor_of_spread * (high.second - low.second);
+    v.discretisation = U <= q.goal ? U : nan;
+    v.convergence = U <= q.goal ? small_changes : divergent;
+}
+
 void judge_by(ValidationReport& report, const std::string& method) {
     const bool own = method == uncertainty_methods().front();
     report.estimator = own ? "" : method;
@@ -144,13 +178,32 @@ void judge_by(ValidationReport& report, const std::string& method) {
                 if (!std::isfinite(v.value)) continue;
                 const auto by = std::ranges::find(v.by_method, method, &MethodEstimate::method);
                 v.discretisation = own ? v.own_discretisation : by != v.by_method.end() ? by->uncertainty : nan;
-                if (!own) {
+                if (own)
+                    bound_by_spread(v, q);
+                else {
                     v.order = by != v.by_method.end() ? by->order : nan;
                     v.why_not = by != v.by_method.end() ? by->why_not : "the report does not have this method";
                     v.outer_below = v.outer_above = nan;
+                    if (v.convergence == small_changes) v.convergence = to_string(Convergence::divergent);
                 }
                 judge_against(v, q);
             }
+}
+
+void keep_values(ValidationReport& report, const ValidationReport& earlier) {
+    for (ValidatedCase& c : report.cases) {
+        const auto before = std::ranges::find(earlier.cases, c.name, &ValidatedCase::name);
+        if (before == earlier.cases.end()) continue;
+        bool any = false;
+        for (ValidatedQuantity& q : c.quantities) {
+            const auto old = std::ranges::find(before->quantities, q.name, &ValidatedQuantity::name);
+            if (old != before->quantities.end()) any |= keep_values(q, *old);
+        }
+        if (any) c.why_not.clear();
+        for (const CaseCost& cost : before->costs)
+            if (any && std::ranges::find(c.costs, cost.method, &CaseCost::method) == c.costs.end())
+                c.costs.push_back(cost);
+    }
 }
 
 std::vector<EstimatorSummary> estimators_of(const ValidationReport& report) {

@@ -33,9 +33,11 @@ struct ValidatedValue {
     std::vector<MethodEstimate> by_method;  ///< what each method makes of the sizes [unit]
     double outer_below = nan, outer_above = nan;   ///< with what the run leaves out [unit]; nan: nothing has a bound
     double order = nan;                            ///< observed [-]; nan: none
-    std::string convergence;                       ///< monotone, scattered, ...
+    std::string convergence;                       ///< monotone, scattered, ..., or small_changes (bound_by_spread)
     std::vector<std::pair<double, double>> sizes;  ///< spacing at the hull [m] and value, finest first
-    std::string why_not;                           ///< why there is no value, or no interval
+    std::string why_not;                           ///< why there is no value, or no interval, or one by the spread
+    std::string version = {}, date = {};           ///< of the program and of the day that made its runs
+    bool kept = false;                             ///< of an earlier report: see keep_values
 
     // what judge_against makes of them
     double E = nan, U_num = nan, U_val = nan;  ///< [unit]
@@ -66,7 +68,6 @@ struct ValidatedCase {
     std::string why_not;              ///< why it was not run; empty: it was
     std::vector<ValidatedQuantity> quantities;
     std::vector<CaseCost> costs;
-    std::vector<std::string> versions = {};  ///< of the program, as the runs' records say
 };
 
 /// The results of one call of `twinwake validate`.
@@ -89,6 +90,18 @@ struct ValidationReport {
 ///   |E| >  U_val  and  |E| >  goal    missed: an error of the model, or of the interval
 void judge_against(ValidatedValue& value, const ValidatedQuantity& quantity);
 
+/// Values whose changes grow from size to size have no limit that could be estimated, but may still all lie close together:
+/// where three times their whole range, 3 (phi_max - phi_min), is at most the goal, that is the discretisation error, and
+/// `convergence` becomes small_changes. The factor is that of Eca & Hoekstra for data without an order (2014,
+/// doi:10.1016/j.jcp.2014.01.006). Nothing happens to other values.
+void bound_by_spread(ValidatedValue& value, const ValidatedQuantity& quantity);
+inline constexpr const char* small_changes = "small changes";
+inline constexpr double factor_of_spread = 3;
+
+/// Puts what `earlier` knows in the place of values that `report` has not run, case by case, by the name of the quantity
+/// and the method, judges them by the truths and goals of `report`, and marks them as kept. Their cost comes along.
+void keep_values(ValidationReport& report, const ValidationReport& earlier);
+
 /// Judges every value anew with the discretisation error by one of uncertainty_methods(): "trend_and_noise" is what every
 /// report has (of two sizes the GCI with an assumed order); of the others a value without an uncertainty is not converged
 /// for the reason that the method gives. The outer intervals, which are made with this program's own, are left out.
@@ -104,6 +117,9 @@ struct EstimatorSummary {
 };
 /// In the order of uncertainty_methods(), each for the methods in the order of methods().
 std::vector<EstimatorSummary> estimators_of(const ValidationReport& report);
+
+/// Of all values, in the order of methods().
+std::vector<std::string> methods_of(const ValidationReport& report);
 
 /// Missed, or not converged and farther away than the goal: not what the suite aims at.
 bool falls_short(const ValidatedValue& value, const ValidatedQuantity& quantity);

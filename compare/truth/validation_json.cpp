@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -42,7 +44,10 @@ ValidationJson json_of(const ValidatedValue& v) {
             {"U_num", v.U_num},
             {"U_val", v.U_val},
             {"outcome", to_string(v.outcome)},
-            {"why_not", v.why_not}};
+            {"why_not", v.why_not},
+            {"version", v.version},
+            {"date", v.date},
+            {"kept", v.kept}};
 }
 
 ValidationJson json_of(const ValidatedQuantity& q) {
@@ -68,9 +73,10 @@ ValidationJson json_of(const ValidatedCase& c) {
     for (const CaseCost& k : c.costs)
         costs.push_back(
             {{"method", k.method}, {"core_seconds", k.core_seconds}, {"seconds", k.seconds}, {"runs", k.runs}});
-    return {{"name", c.name},       {"title", c.title},         {"family", c.family},       {"tier", c.tier},
-            {"why", c.why},         {"shows", c.shows},         {"shows_not", c.shows_not}, {"scenes", c.scenes},
-            {"why_not", c.why_not}, {"quantities", quantities}, {"costs", costs},           {"versions", c.versions}};
+    return {{"name", c.name},           {"title", c.title},   {"family", c.family},
+            {"tier", c.tier},           {"why", c.why},       {"shows", c.shows},
+            {"shows_not", c.shows_not}, {"scenes", c.scenes}, {"why_not", c.why_not},
+            {"quantities", quantities}, {"costs", costs}};
 }
 
 double number_or_nan(const Read& from, const char* key) {
@@ -96,6 +102,7 @@ ValidatedValue value_in(const Read& from) {
         v.sizes.emplace_back(spacings.at(k).get<double>(), by_size.at(k).get<double>());
     v.E = number_or_nan(from, "E"), v.U_num = number_or_nan(from, "U_num"), v.U_val = number_or_nan(from, "U_val");
     v.why_not = from.at("why_not");
+    v.version = from.value("version", ""), v.date = from.value("date", ""), v.kept = from.value("kept", false);
     if (from.contains("inputs")) v.inputs = from["inputs"].get<std::map<std::string, double>>();
     v.own_discretisation =
         from.contains("own_discretisation") ? number_or_nan(from, "own_discretisation") : v.discretisation;
@@ -127,12 +134,18 @@ ValidatedCase case_in(const Read& from) {
     c.name = from.at("name"), c.title = from.at("title"), c.family = from.at("family"), c.tier = from.at("tier");
     c.why = from.at("why"), c.shows = from.at("shows"), c.shows_not = from.at("shows_not");
     c.scenes = from.at("scenes").get<std::vector<std::string>>(), c.why_not = from.at("why_not");
-    c.versions = from.at("versions").get<std::vector<std::string>>();
     for (const Read& q : from.at("quantities")) c.quantities.push_back(quantity_in(q));
     for (const Read& k : from.at("costs"))
         c.costs.push_back(
             {k.at("method"), number_or_nan(k, "core_seconds"), number_or_nan(k, "seconds"), k.at("runs").get<int>()});
     return c;
+}
+
+/// Earlier reports name the version once for a case and the day once for all.
+void date_all(ValidatedCase& c, const std::vector<std::string>& versions, const std::string& date) {
+    for (ValidatedQuantity& q : c.quantities)
+        for (ValidatedValue& v : q.values)
+            if (v.outcome != Outcome::not_run) v.version = fmt::format("{}", fmt::join(versions, ", ")), v.date = date;
 }
 
 }  // namespace
@@ -177,7 +190,10 @@ ValidationReport read_validation(const std::filesystem::path& file) {
         report.title = from.at("title"), report.tier = from.at("tier"), report.version = from.at("version");
         report.machine = from.at("machine"), report.date = from.at("date"), report.command = from.at("command");
         report.estimator = from.value("estimator", "");
-        for (const Read& c : from.at("cases")) report.cases.push_back(case_in(c));
+        for (const Read& c : from.at("cases")) {
+            report.cases.push_back(case_in(c));
+            if (c.contains("versions")) date_all(report.cases.back(), c["versions"], report.date);
+        }
     });
     return report;
 }

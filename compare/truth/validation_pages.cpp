@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +6,9 @@
 #include <string_view>
 
 #include "base/errors.h"
+#include "compare/report/numbers.h"
 #include "compare/truth/validation_report.h"
+#include "methods/methods.h"
 
 namespace tw {
 namespace {
@@ -52,15 +53,35 @@ std::string made_from(const ValidationReport& r) {
                     plain_markdown(r.version), plain_markdown(r.machine), plain_markdown(r.date)));
 }
 
-std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
+/// " SPH: 3 runs, 31 s, with 0.1.0 (4bc74fc4), 2026-11-29."
+std::string made_with(const ValidatedCase& c) {
+    std::vector<std::string> methods;
+    std::string text;
+    for (const ValidatedQuantity& q : c.quantities)
+        for (const ValidatedValue& v : q.values) {
+            if (v.version.empty() || std::ranges::find(methods, v.method) != methods.end()) continue;
+            methods.push_back(v.method);
+            text += " " + method_label(v.method) + ": ";
+            const auto cost = std::ranges::find(c.costs, v.method, &CaseCost::method);
+            if (cost != c.costs.end()) text += fmt::format("{} runs, {}, ", cost->runs, time_text(cost->core_seconds));
+            text += fmt::format("with {}, {}{}.", plain_markdown(v.version), plain_markdown(v.date),
+                                v.kept ? ", kept of an earlier report" : "");
+        }
+    return text;
+}
+
+bool not_run(const ValidatedValue& v, const ValidatedQuantity&) { return v.outcome == Outcome::not_run; }
+bool is_enough(const ValidatedValue& v, const ValidatedQuantity& q) {
+    return not_run(v, q) || (!falls_short(v, q) && v.outcome != Outcome::failed && v.outcome != Outcome::not_converged);
+}
+
+std::string page_of(const ValidatedCase& c) {
     std::string page = "# " + plain_markdown(c.title) + "\n\n" + wrapped(plain_markdown(c.why)) + "\n";
     std::string scenes;
     for (const std::string& scene : c.scenes) scenes += (scenes.empty() ? "" : ", ") + ("`" + scene + "`");
-    page += wrapped(fmt::format("**Family** {}. **Tier** {}. **Scene** {}.", c.family, c.tier, scenes)) + "\n";
+    page += wrapped(fmt::format("Family {}, tier {}; scene {}.{}", c.family, c.tier, scenes, made_with(c))) + "\n";
     if (!c.why_not.empty()) page += wrapped("**Not run with this version:** " + plain_markdown(c.why_not)) + "\n";
-    page += table_text(validation_table(c)) + "\n";
-    if (!c.versions.empty())
-        page += wrapped(plain_markdown(fmt::format("Runs made with twinwake {}.", fmt::join(c.versions, ", ")))) + "\n";
+    page += table_text(short_table(c)) + "\n";
     page += "## Where the truths are from\n\n";
     for (const ValidatedQuantity& q : c.quantities)
         page +=
@@ -68,18 +89,18 @@ std::string page_of(const ValidationReport& report, const ValidatedCase& c) {
     page += "\n";
     if (!c.shows.empty()) page += "## What it shows\n\n" + wrapped(plain_markdown(c.shows)) + "\n";
     if (!c.shows_not.empty()) page += "## What it does not show\n\n" + wrapped(plain_markdown(c.shows_not)) + "\n";
-    ReportTable parts = parts_table(c), by_method = estimators_table(c), costs = cost_table(c);
-    for (ReportTable* table : {&parts, &by_method, &costs})
-        if (const std::string title = std::exchange(table->title, ""); !table->empty())
-            page += "## " + title + "\n\n" + table_text(*table) + "\n";
-    return page + made_from(report);
+    ReportTable parts = parts_table(c);
+    if (const std::string title = std::exchange(parts.title, ""); !parts.empty())
+        page += "## " + title + "\n\n" + table_text(parts) + "\n";
+    return page + "Made from data by `twinwake validate --pages`; do not edit.\n";
 }
 
-/// The report without the cases and methods that were not run.
-ValidationReport only_run(ValidationReport report) {
+/// The report without the values of which `left_out` says so.
+template <class LeftOut>
+ValidationReport report_without(ValidationReport report, const LeftOut& left_out) {
     for (ValidatedCase& c : report.cases) {
         for (ValidatedQuantity& q : c.quantities)
-            std::erase_if(q.values, [](const ValidatedValue& v) { return v.outcome == Outcome::not_run; });
+            std::erase_if(q.values, [&](const ValidatedValue& v) { return left_out(v, q); });
         std::erase_if(c.quantities, [](const ValidatedQuantity& q) { return q.values.empty(); });
     }
     std::erase_if(report.cases, [](const ValidatedCase& c) { return c.quantities.empty(); });
@@ -100,13 +121,16 @@ std::string with_tables(const std::string& page, const std::string& name, const 
                                          name, line, end));
         const std::string table = page.substr(word, text - word);
         ReportTable made;
+        const auto by_name = [](const ValidatedCase& c) { return c.name; };
         if (table == "families")
             made = family_table(report);
         else if (table == "values")
-            made = validation_table(only_run(report));
+            made = short_table(report_without(report, not_run), by_name);
+        else if (table == "shortfalls")
+            made = short_table(report_without(report, is_enough), by_name);
         else
-            throw InputError(
-                fmt::format("{}:{}: no table \"{}\"; there are \"families\" and \"values\"", name, line, table));
+            throw InputError(fmt::format(
+                "{}:{}: no table \"{}\"; there are \"families\", \"values\" and \"shortfalls\"", name, line, table));
         made.title.clear();
         out += page.substr(at, text + close.size() - at) +
                wrapped(fmt::format("Made by `twinwake validate --into` from runs of twinwake {}, {}, {}:",
@@ -125,15 +149,10 @@ std::vector<MadePage> validation_pages(const ValidationReport& report) {
     std::vector<MadePage> pages;
     std::string index = "# " + plain_markdown(report.title) + "\n\n" + made_from(report) + "\n";
     index += wrapped("Command: `" + report.command + "`, tier " + report.tier + ".") + "\n";
-    index += "## The cases\n\n";
-    for (const ValidatedCase& c : report.cases) {
-        index += wrapped(fmt::format(
-            "- [{}]({}.md), {}: {}", plain_markdown(c.title), c.name, c.family,
-            c.why_not.empty() ? plain_markdown(c.why) : "not run with this version: " + plain_markdown(c.why_not)));
-        pages.push_back({c.name + ".md", page_of(report, c)});
-    }
+    for (const ValidatedCase& c : report.cases) pages.push_back({c.name + ".md", page_of(c)});
     ReportTable families = family_table(report), estimators = estimators_table(report),
-                values = validation_table(report);
+                values =
+                    short_table(report, [](const ValidatedCase&c) { return fmt::format("[{0}]({0}.md)", c.name); });
     for (ReportTable* table : {&families, &estimators, &values}) {
         if (table->empty()) continue;  // reports of earlier versions have no estimators
         const std::string title = std::exchange(table->title, "");

@@ -58,8 +58,9 @@ std::string facts_of(const ValidationReport& r) {
 
 /// "missed: 3.1 ± 0.2 Pa where 3.5 ± 0 Pa is true, goal 0.1".
 std::string in_words(const ValidatedValue& v, const ValidatedQuantity& q) {
-    return fmt::format("{}: {} {} where {} is true, goal {}", outcome_label(v.outcome), value_text(v.value, v.U_val),
-                       q.unit, value_text(q.truth.value, q.truth.half_width), value_text(q.goal, 0));
+    return fmt::format("{}: {} {} where {} is true, goal {}{}", outcome_label(v.outcome), value_text(v.value, v.U_val),
+                       q.unit, value_text(q.truth.value, q.truth.half_width), value_text(q.goal, 0),
+                       v.kept ? fmt::format("; not run anew, kept of {}, {}", v.version, v.date) : "");
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ std::string validation_html(const ValidationReport& report, const std::vector<Va
         page += "<p class=\"note\">" +
                 escaped(fmt::format("{}; tier {}; {}", c.family, c.tier, fmt::join(c.scenes, ", "))) + "</p>";
         if (!c.why_not.empty()) page += "<p><b>" + escaped(c.why_not) + "</b></p>";
-        page += html_of(std::vector{parts_table(c), estimators_table(c), cost_table(c)}, 3);
+        page += html_of(std::vector{parts_table(c), cost_table(c)}, 3);
     }
     return page + page_end;
 }
@@ -105,6 +106,7 @@ std::string validation_csv(const ValidationReport& report) {
                            numbers("U_scatter"),   numbers("U_discretisation"),
                            numbers("U_box")}};
     for (const std::string& estimator : uncertainty_methods()) table.columns.push_back(numbers("U_" + estimator));
+    for (const char* name : {"version", "date", "kept"}) table.columns.push_back(words(name));
     for (const ValidatedCase& c : report.cases)
         for (const ValidatedQuantity& q : c.quantities)
             for (const ValidatedValue& v : q.values) {
@@ -135,6 +137,8 @@ std::string validation_csv(const ValidationReport& report) {
                     const auto by = std::ranges::find(v.by_method, estimator, &MethodEstimate::method);
                     row.cells.emplace_back(by == v.by_method.end() ? nan : by->uncertainty);
                 }
+                for (const std::string& text : {v.version, v.date, std::string(v.kept ? "kept" : "")})
+                    row.cells.emplace_back(text);
                 table.rows.push_back(std::move(row));
             }
     return csv_of(table);

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ struct MadePage {
 std::vector<MadePage> validation_pages(const ValidationReport& report);
 
 /// A Markdown page whose other text is written by hand. What stands between the lines `<!-- validate: families -->` (how
-/// often the intervals hold the truth) or `<!-- validate: values -->` (every value that was run) and the next
-/// `<!-- /validate -->` is made from the report, after a line that says from which. `name`: of the page, for messages.
+/// often the intervals hold the truth), `<!-- validate: values -->` (every value that was run) or
+/// `<!-- validate: shortfalls -->` (those that miss, or have no value or interval) and the next `<!-- /validate -->` is made from the report, after a line that says from which. `name`: of the page, for messages.
 /// Throws InputError: no such place, one without an end, a table of another name.
 std::string with_tables(const std::string& page, const std::string& name, const ValidationReport& report);
 
@@ -40,14 +41,16 @@ std::string with_tables(const std::string& page, const std::string& name, const 
 
 /// A row per case, quantity and method: truth, value, E, U_val, goal, what became of it.
 ReportTable validation_table(const ValidationReport& report);
-/// The same of one case, without its name.
-ReportTable validation_table(const ValidatedCase& one);
+/// A row per case and quantity, and in it each method's value, E, U_val and verdict. `name`: what stands for a case.
+using CaseName = std::function<std::string(const ValidatedCase& one)>;
+ReportTable short_table(const ValidationReport& report, const CaseName& name);
+/// The same of one case, without its name, and with why a value is missing or odd.
+ReportTable short_table(const ValidatedCase& one);
 /// How many intervals hold the truth, by family and method.
 ReportTable family_table(const ValidationReport& report);
-/// The parts of U_val, with the values of all sizes.
+/// The parts of U_val, the discretisation error by each method, and the values of all sizes. A part that is zero or
+/// unknown in every row has no column.
 ReportTable parts_table(const ValidatedCase& one);
-/// The estimate of each method from the sizes of every value.
-ReportTable estimators_table(const ValidatedCase& one);
 /// How often the intervals of each method hold the truth.
 ReportTable estimators_table(const ValidationReport& report);
 ReportTable cost_table(const ValidatedCase& one);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
@@ -32,31 +33,115 @@ std::string in_per_cent(const ValidatedQuantity& q, double size) {
     return q.scale > 0 ? share_text(100 * size / q.scale) : value_text(size, 0) + " " + q.unit;
 }
 
-std::vector<ReportColumn> value_columns() {
-    return {words("Quantity"), words("unit"), numbers("truth"), words("standing"), words("method"),
-            numbers("value"),  numbers("E"),  numbers("U_val"), numbers("goal"),   words("verdict")};
+/// The commit of "0.1.0 (4bc74fc4)", or the version without one, and whether the value stood in an earlier report.
+std::string run_with(const ValidatedValue& v) {
+    if (v.version.empty()) return "–";
+    std::string commits;
+    for (std::size_t at = 0; at < v.version.size();) {
+        const std::size_t end = std::min(v.version.find(", ", at), v.version.size());
+        const std::string version = v.version.substr(at, end - at);
+        const std::size_t open = version.find('('), close = version.rfind(')');
+        const bool has_commit = open != std::string::npos && close != std::string::npos && open < close;
+        commits +=
+            (commits.empty() ? "" : " and ") + (has_commit ? version.substr(open + 1, close - open - 1) : version);
+        at = end + 2;
+    }
+    return commits + (v.kept ? ", kept" : "");
 }
 
-void add_values(ReportTable& table, const ValidatedCase& c, bool named) {
+std::string error_text(const ValidatedQuantity& q, const ValidatedValue& v) {
+    return !std::isfinite(v.E) ? std::string("–")
+           : q.scale > 0       ? per_cent_text(100 * v.E / q.scale)
+                               : signed_text(v.E, v.U_val);
+}
+
+std::string quantity_text(const ValidatedQuantity& q) {
+    return q.unit == "-" ? q.label : q.label + " [" + q.unit + "]";
+}
+
+/// Why there is no value or interval, or an odd one, or a miss that is known.
+std::string remark_of(const ValidatedQuantity& q, const ValidatedValue& v) {
+    if (v.convergence == small_changes)
+        return v.why_not + "; U is three times the range of all sizes, which the goal allows";
+    if (v.outcome == Outcome::failed || v.outcome == Outcome::not_converged) return v.why_not;
+    const auto known = q.known_miss.find(v.method);
+    return known != q.known_miss.end() && falls_short(v, q) ? "known: " + known->second : "";
+}
+
+constexpr const char* run_with_note =
+    "Run with: the commit of the program that made the runs; kept: taken from an earlier report, not run with this "
+    "one.";
+
+void add_values(ReportTable& table, const ValidatedCase& c) {
     for (const ValidatedQuantity& q : c.quantities)
         for (const ValidatedValue& v : q.values) {
-            ReportRow row;
-            if (named) row.cells.emplace_back(c.name);
-            row.cells.insert(row.cells.end(),
-                             {q.label, q.unit, value_text(q.truth.value, q.truth.half_width), q.truth.standing});
+            ReportRow row{{c.name, q.label, q.unit, value_text(q.truth.value, q.truth.half_width)}};
             row.cells.push_back(run_cell(method_label(v.method), method_rank(v.method)));
             row.cells.emplace_back(value_text(v.value, v.U_num));
-            row.cells.emplace_back(!std::isfinite(v.E) ? std::string("–")
-                                   : q.scale > 0       ? per_cent_text(100 * v.E / q.scale)
-                                                       : signed_text(v.E, v.U_val));
+            row.cells.emplace_back(error_text(q, v));
             row.cells.emplace_back(in_per_cent(q, v.U_val));
             row.cells.emplace_back(in_per_cent(q, q.goal));
             row.cells.push_back(outcome_cell(v.outcome));
-            const auto known = q.known_miss.find(v.method);
-            if (known != q.known_miss.end() && falls_short(v, q)) row.remark = "known: " + known->second;
-            if (v.outcome == Outcome::failed || v.outcome == Outcome::not_converged) row.remark = v.why_not;
+            row.cells.emplace_back(run_with(v), v.kept ? Mark::faint : Mark::none);
+            row.remark = remark_of(q, v);
             table.rows.push_back(std::move(row));
         }
+}
+
+/// "82 ± 15: +15 ± 22 %, undecided".
+ReportCell value_in_short(const ValidatedQuantity& q, const std::string& method) {
+    const auto found = std::ranges::find(q.values, method, &ValidatedValue::method);
+    if (found == q.values.end()) return {};
+    const ValidatedValue& v = *found;
+    const ReportCell outcome = outcome_cell(v.outcome);
+    if (!std::isfinite(v.value)) return outcome;
+    const std::string error = q.scale > 0 ? std::isfinite(v.U_val)
+                                                ? per_cent_text(100 * v.E / q.scale, 100 * v.U_val / q.scale)
+                                                : per_cent_text(100 * v.E / q.scale)
+                                          : error_text(q, v);
+    return {fmt::format("{}; {}: {}", value_text(v.value, v.U_num), error, outcome.text), outcome.mark};
+}
+
+std::vector<ReportColumn> short_columns(const std::vector<std::string>& methods) {
+    std::vector<ReportColumn> columns{words("Quantity"), numbers("truth")};
+    for (const std::string& method : methods) columns.push_back(words(method_label(method)));
+    columns.push_back(numbers("goal"));
+    return columns;
+}
+
+ReportRow short_row(const ValidatedQuantity& q, const std::vector<std::string>& methods) {
+    ReportRow row{{quantity_text(q), value_text(q.truth.value, q.truth.half_width)}};
+    for (const std::string& method : methods) row.cells.push_back(value_in_short(q, method));
+    row.cells.emplace_back(in_per_cent(q, q.goal));
+    for (const ValidatedValue& v : q.values)
+        if (const std::string remark = remark_of(q, v); !remark.empty())
+            row.remark += (row.remark.empty() ? "" : "; ") + method_label(v.method) + ": " + remark;
+    return row;
+}
+
+constexpr const char* short_note =
+    "Of each method: value; E ± U_val: verdict, as docs/validating.md defines them. Per cent are of the truth, or of "
+    "what "
+    "the suite says.";
+
+std::string spacings_text(const ValidatedValue& v) {
+    std::string sizes;
+    for (const auto& [spacing, value] : v.sizes)
+        sizes += fmt::format("{}{:.3g}", sizes.empty() ? "" : ", ", 1e3 * spacing);
+    return sizes + " mm";
+}
+
+/// The sizes of every value of the case; empty where they are not the same.
+std::string common_sizes(const ValidatedCase& one) {
+    std::string all;
+    for (const ValidatedQuantity& q : one.quantities)
+        for (const ValidatedValue& v : q.values) {
+            if (!std::isfinite(v.value)) continue;
+            const std::string sizes = spacings_text(v);
+            if (!all.empty() && sizes != all) return "";
+            all = sizes;
+        }
+    return all;
 }
 
 std::string share(int some, int all) { return all == 0 ? "–" : fmt::format("{} of {}", some, all); }
@@ -64,21 +149,50 @@ std::string share(int some, int all) { return all == 0 ? "–" : fmt::format("{}
 }  // namespace
 
 ReportTable validation_table(const ValidationReport& report) {
-    ReportTable table{"Every value against its truth", value_columns()};
-    table.columns.insert(table.columns.begin(), words("Case"));
-    for (const ValidatedCase& c : report.cases) add_values(table, c, true);
+    ReportTable table{
+        "Every value against its truth",
+        {words("Case"), words("Quantity"), words("unit"), numbers("truth"), words("method"), numbers("value"),
+         numbers("E"), numbers("U_val"), numbers("goal"), words("verdict"), words("run with")}};
+    for (const ValidatedCase& c : report.cases) add_values(table, c);
     table.notes.push_back(
         "E: value less truth. U_val: half width of the 95 % interval of E, from discretisation, scatter, input and the "
         "truth's own uncertainty (ASME V&V 20). Per cent are of the truth, or of what the suite says.");
+    table.notes.push_back(run_with_note);
     table.notes.push_back(
         "Met: abs(E) is below U_val and U_val below the goal. Undecided: U_val is above the goal. Within the goal, "
         "outside its interval: abs(E) is below the goal and above U_val. Missed: abs(E) is above both.");
     return table;
 }
 
-ReportTable validation_table(const ValidatedCase& one) {
-    ReportTable table{"", value_columns()};
-    add_values(table, one, false);
+ReportTable short_table(const ValidationReport& report, const CaseName& name) {
+    const std::vector<std::string> methods = methods_of(report);
+    ReportTable table{"Every value against its truth", short_columns(methods)};
+    table.columns.insert(table.columns.begin(), words("Case"));
+    table.columns.push_back(words("run with"));
+    for (const ValidatedCase& c : report.cases) {
+        std::string shown = name(c);
+        for (const ValidatedQuantity& q : c.quantities) {
+            ReportRow row = short_row(q, methods);
+            row.cells.insert(row.cells.begin(), std::exchange(shown, ""));
+            std::string made;
+            for (const ValidatedValue& v : q.values)
+                if (const std::string with = run_with(v); with != "–" && made.find(with) == std::string::npos)
+                    made += (made.empty() ? "" : "; ") + with;
+            row.cells.emplace_back(made);
+            row.remark.clear();  // stands on the page of the case
+            table.rows.push_back(std::move(row));
+        }
+    }
+    table.notes = {short_note, run_with_note};
+    return table;
+}
+
+ReportTable short_table(const ValidatedCase& one) {
+    ValidationReport alone;
+    alone.cases = {one};
+    const std::vector<std::string> methods = methods_of(alone);
+    ReportTable table{"", short_columns(methods)};
+    for (const ValidatedQuantity& q : one.quantities) table.rows.push_back(short_row(q, methods));
     return table;
 }
 
@@ -102,47 +216,44 @@ ReportTable family_table(const ValidationReport& report) {
 }
 
 ReportTable parts_table(const ValidatedCase& one) {
-    ReportTable table{"What U_val is made of",
-                      {words("Quantity"), words("unit"), words("method"), numbers("scatter"), numbers("discretisation"),
-                       numbers("box, choices"), numbers("input"), numbers("truth"), numbers("U_val"),
-                       words("convergence"), numbers("order"), words("values by size, finest first")}};
+    ReportTable table{
+        "What U_val is made of",
+        {words("Quantity"), words("method"), numbers("scatter"), numbers("discretisation"), numbers("box, choices"),
+         numbers("input"), numbers("truth"), words("convergence"), words("values by size, finest first")}};
+    for (const std::string& estimator : uncertainty_methods())
+        if (estimator != uncertainty_methods().front())
+            table.columns.push_back(numbers(uncertainty_method_label(estimator)));
+    const std::string sizes_of_all = common_sizes(one);
     for (const ValidatedQuantity& q : one.quantities)
         for (const ValidatedValue& v : q.values) {
             if (!std::isfinite(v.value)) continue;
-            std::string sizes;
+            std::string values, inputs;
             for (const auto& [spacing, value] : v.sizes)
-                sizes += fmt::format("{}{:.4g} ({:.3g} mm)", sizes.empty() ? "" : ", ", value, 1e3 * spacing);
-            std::string inputs;
+                values += fmt::format("{}{:.4g}", values.empty() ? "" : ", ", value);
+            if (sizes_of_all.empty()) values += " at " + spacings_text(v);
             for (const auto& [name, U] : v.inputs)
                 inputs += fmt::format("{}{}: {:.3g}", inputs.empty() ? "input: " : ", ", name, U);
-            table.rows.push_back({{q.label, q.unit, method_label(v.method), v.statistical, v.discretisation, v.choices,
-                                   v.input, q.truth.half_width, v.U_val, v.convergence, v.order, sizes},
-                                  inputs});
-        }
-    return table;
-}
-
-ReportTable estimators_table(const ValidatedCase& one) {
-    ReportTable table{"The discretisation error by each method",
-                      {words("Quantity"), words("unit"), words("method"), numbers("value")}};
-    for (const std::string& estimator : uncertainty_methods()) {
-        table.columns.push_back(numbers(uncertainty_method_label(estimator)));
-        if (estimator != uncertainty_methods().front()) table.columns.push_back(numbers("its order"));
-    }
-    for (const ValidatedQuantity& q : one.quantities)
-        for (const ValidatedValue& v : q.values) {
-            if (!std::isfinite(v.value) || v.by_method.empty()) continue;
-            ReportRow row{{q.label, q.unit, run_cell(method_label(v.method), method_rank(v.method)),
-                           value_text(v.value, v.U_num)}};
-            for (const MethodEstimate& m : v.by_method) {
-                row.cells.emplace_back(m.uncertainty);
-                if (m.method != uncertainty_methods().front()) row.cells.emplace_back(m.order);
-                if (!m.why_not.empty())
-                    row.remark +=
-                        (row.remark.empty() ? "" : "; ") + uncertainty_method_label(m.method) + ": " + m.why_not;
+            const std::string order = std::isfinite(v.order) ? fmt::format(", order {:.2g}", v.order) : "";
+            ReportRow row{{quantity_text(q), method_label(v.method), v.statistical, v.discretisation, v.choices,
+                           v.input, q.truth.half_width, v.convergence + order, values},
+                          inputs};
+            for (std::size_t k = 1; k < uncertainty_methods().size(); ++k) {
+                const auto by = std::ranges::find(v.by_method, uncertainty_methods()[k], &MethodEstimate::method);
+                row.cells.emplace_back(by == v.by_method.end() ? nan : by->uncertainty);
             }
             table.rows.push_back(std::move(row));
         }
+    // What is nothing or unknown in all rows says nothing: scatter, box and input of many cases, methods that need more
+    // sizes.
+    for (std::size_t k = table.columns.size(); k-- > 2;)
+        if (table.columns[k].align == ReportColumn::Align::right &&
+            std::ranges::none_of(table.rows, [&](const ReportRow& r) {
+                return std::isfinite(r.cells[k].number) && r.cells[k].number != 0;
+            })) {
+            table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(k));
+            for (ReportRow& row : table.rows) row.cells.erase(row.cells.begin() + static_cast<std::ptrdiff_t>(k));
+        }
+    if (!sizes_of_all.empty() && !table.empty()) table.notes.push_back("Sizes at the body: " + sizes_of_all + ".");
     return table;
 }
 

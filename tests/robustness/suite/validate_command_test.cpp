@@ -90,6 +90,42 @@ TEST_F(ValidateCommand, JudgesReusesItsRunsAndNamesWhatBecameWorse) {
     EXPECT_TRUE(fs::exists(folder_ / "docs/still.md") && fs::exists(folder_ / "docs/README.md"));
 }
 
+TEST_F(ValidateCommand, WhatIsNotRunIsTakenFromAnEarlierReport) {
+    write("my/still.toml", still);
+    write("my/suite.toml", suite("0.2 m"));
+    ASSERT_EQ(twinwake({"validate", "my", "--out", "out"}).status, 0);
+    std::string earlier = content(folder_ / "out/validation.json");
+    for (std::size_t at = 0; (at = earlier.find("\"version\": \"", at)) != std::string::npos; ++at)
+        earlier.insert(at + 12, "0.0.9 of ");
+    write("earlier.json", earlier);
+    const Outcome o =
+        twinwake({"validate", "my", "--out", "night", "--case", "night", "--tier", "night", "--keep", "earlier.json"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    const nlohmann::json cases = report("night/validation.json")["cases"];
+    const nlohmann::json kept = cases[0]["quantities"][0]["values"][0], run = cases[1]["quantities"][0]["values"][0];
+    EXPECT_EQ(kept["value"], nlohmann::json::parse(earlier)["cases"][0]["quantities"][0]["values"][0]["value"]);
+    EXPECT_TRUE(kept["kept"].get<bool>());
+    EXPECT_TRUE(kept["version"].get<std::string>().starts_with("0.0.9 of ")) << kept;
+    EXPECT_FALSE(run["kept"].get<bool>());
+    EXPECT_FALSE(run["version"].get<std::string>().empty());
+    EXPECT_EQ(run["date"].get<std::string>().size(), 10u);
+}
+
+TEST_F(ValidateCommand, MadeElsewhereTheReportIsTheSame) {
+    write("my/still.toml", still);
+    write("my/suite.toml", suite("0.2 m"));
+    ASSERT_EQ(twinwake({"validate", "my", "--out", "here"}).status, 0);
+    ASSERT_EQ(twinwake({"validate", "my", "--out", "there", "--emit", "snakemake"}).status, 0);
+    const nlohmann::json study = nlohmann::json::parse(content(folder_ / "there/study/study.json"));
+    ASSERT_EQ(study["members"].size(), 3u);
+    for (const char* number : {"0", "1", "2"})
+        EXPECT_EQ(twinwake({"member", "there", number, "--threads", "1"}).status, 0);
+    const Outcome collected = twinwake({"validate", "my", "--out", "there", "--collect"});
+    EXPECT_EQ(collected.status, 0) << collected.err;
+    EXPECT_EQ(report("there/validation.json")["cases"][0]["quantities"][0]["values"][0]["value"],
+              report("here/validation.json")["cases"][0]["quantities"][0]["values"][0]["value"]);
+}
+
 TEST_F(ValidateCommand, UncertainSpeedEntersTheInterval) {
     write("my/channel.toml", R"(title = "channel"
 [motion]
@@ -159,7 +195,7 @@ TEST_F(ValidateCommand, AWrongSceneOrQuantityIsNamedAndTheOthersAreRun) {
               "[[case.quantity]]\nname = \"pressure_mean:flor\"\nunit = \"Pa\"\ntruth = 1\nsource = \"s\"\ngoal = 1\n");
     const Outcome o = twinwake({"validate", "my", "--out", "out"});
     EXPECT_EQ(o.status, 3) << o.err;
-    EXPECT_TRUE(says(o, "none.toml")) << o.err;
+    EXPECT_TRUE(says(o, "none: my/suite.toml:28:9: [[case]] scene: my/none.toml: cannot be read")) << o.err;
     EXPECT_TRUE(report()["cases"][0]["quantities"][0]["values"][0]["value"].is_number());
     const nlohmann::json odd = report()["cases"][3]["quantities"][0]["values"][0];
     EXPECT_EQ(odd["outcome"], "failed");

@@ -123,6 +123,82 @@ TEST(Validation, NamesWhatBecameWorse) {
     EXPECT_EQ(changes_between(before, now)[0].kind, ValidationChange::Kind::better);
 }
 
+/// Values at three sizes whose changes grow.
+ValidatedValue diverging(double finest, double middle, double coarsest) {
+    ValidatedValue v;
+    v.method = "sph", v.outcome = Outcome::failed;
+    v.value = finest, v.statistical = v.choices = 0, v.convergence = "divergent";
+    v.sizes = {{1, finest}, {1.5, middle}, {2, coarsest}};
+    return v;
+}
+
+// The level behind a bump of 200 mm of water moves by 0.1, then by 0.7 mm; 4 mm are the goal.
+TEST(Validation, ChangesThatGrowAndAreSmallBesideTheGoalHaveThreeTimesTheirRangeForAnInterval) {
+    ValidatedQuantity q = quantity(0, 0, 4e-3);
+    const auto outcome = [&](ValidatedValue v) {
+        bound_by_spread(v, q);
+        judge_against(v, q);
+        return v;
+    };
+    const ValidatedValue small = outcome(diverging(-0.45e-3, -1.17e-3, -1.28e-3));
+    EXPECT_NEAR(small.discretisation, 3 * 0.83e-3, 1e-12);
+    EXPECT_EQ(small.outcome, Outcome::met);
+    EXPECT_EQ(small.convergence, small_changes);
+    const ValidatedValue large = outcome(diverging(-0.45e-3, -1.87e-3, -2.08e-3));  // three times 1.63 mm
+    EXPECT_EQ(large.outcome, Outcome::not_converged);
+    EXPECT_TRUE(std::isnan(large.discretisation));
+    ValidatedValue known = diverging(-0.45e-3, -1.17e-3, -1.28e-3);
+    known.own_discretisation = known.discretisation = 2e-3;  // an interval that there is stays
+    EXPECT_DOUBLE_EQ(outcome(known).discretisation, 2e-3);
+
+    ValidationReport r = small_report();
+    r.cases[1].quantities = {q};
+    r.cases[1].quantities[0].values = {small};
+    judge_by(r, "gci");
+    EXPECT_EQ(r.cases[1].quantities[0].values[0].outcome, Outcome::not_converged)
+        << "the literature's have no such rule";
+    judge_by(r, "trend_and_noise");
+    EXPECT_EQ(r.cases[1].quantities[0].values[0].outcome, Outcome::met);
+    EXPECT_NE(validation_pages(r)[2].text.find("three times the range"), std::string::npos);
+}
+
+TEST(Validation, WhatIsNotRunIsKeptOfAnEarlierReportAndSaysSo) {
+    ValidationReport earlier = small_report();
+    for (ValidatedCase& c : earlier.cases)
+        for (ValidatedQuantity& q : c.quantities)
+            for (ValidatedValue& v : q.values) {
+                v.version = "0.9 (abcdef)", v.date = "2025-12-31";
+                v.own_discretisation = v.discretisation;
+            }
+    ValidationReport now = small_report();
+    ValidatedCase &tank = now.cases[0], &wave = now.cases[1];
+    tank.quantities[1].values.pop_back();  // of both methods only SPH is run
+    tank.costs.pop_back();
+    wave.why_not = "not asked for", wave.quantities[0].label = wave.quantities[0].name;
+    wave.quantities[0].truth.value = 101;
+    wave.quantities[0].values.clear();
+    for (const char* method : {"sph", "fvm"}) wave.quantities[0].values.emplace_back().method = method;
+    keep_values(now, earlier);
+    ASSERT_EQ(tank.quantities[1].values.size(), 2u);
+    EXPECT_FALSE(tank.quantities[1].values[0].kept) << "what was run stays";
+    EXPECT_TRUE(tank.quantities[1].values[1].kept);
+    ASSERT_EQ(tank.costs.size(), 2u);
+    ASSERT_EQ(wave.quantities[0].values.size(), 1u) << "the mesh has no value in the earlier report: not of this scene";
+    const ValidatedValue& kept = wave.quantities[0].values[0];
+    EXPECT_TRUE(kept.kept);
+    EXPECT_DOUBLE_EQ(kept.E, 3) << "judged by the truth of now";
+    EXPECT_EQ(wave.why_not, "");
+    EXPECT_EQ(now.cases[2].quantities[0].values[0].outcome, Outcome::not_run) << "nobody has it";
+    EXPECT_EQ(now.cases[2].why_not, "of tier night");
+    for (const std::size_t page : {1u, 2u})
+        EXPECT_NE(validation_pages(now)[page].text.find("0.9 (abcdef), 2025-12-31, kept"), std::string::npos)
+            << validation_pages(now)[page].text;
+    EXPECT_NE(validation_pages(now)[0].text.find("abcdef, kept"), std::string::npos);
+    EXPECT_NE(validation_csv(now).find("0.9 (abcdef),2025-12-31,kept"), std::string::npos);
+    EXPECT_NE(validation_junit(now).find("not run anew, kept of 0.9 (abcdef)"), std::string::npos);
+    EXPECT_NE(validation_html(now, {}, "").find("abcdef, kept"), std::string::npos);
+}
+
 /// The report with what other methods make of the sizes of its first two values, and a part of one's input.
 ValidationReport report_by_methods() {
     ValidationReport r = small_report();
@@ -176,7 +252,9 @@ TEST(Validation, EveryMethodStandsBesideTheOthersInEveryFile) {
     EXPECT_EQ(all[2].narrow, 2);
     EXPECT_DOUBLE_EQ(all[2].median_U, 7.5);
     const std::string csv = validation_csv(r);
-    EXPECT_NE(csv.find("U_trend_and_noise,U_eca_hoekstra,U_gci,U_factor_of_safety\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("U_trend_and_noise,U_eca_hoekstra,U_gci,U_factor_of_safety,version,date,kept\n"),
+              std::string::npos)
+        << csv;
     EXPECT_NE(csv.find(",4,2,6,"), std::string::npos) << csv;
     for (const std::string& text : {validation_html(r, {}, ""), validation_pages(r)[1].text, validation_text(r, {})}) {
         EXPECT_NE(text.find("GCI"), std::string::npos);
@@ -243,6 +321,11 @@ TEST(Validation, TablesOfAPageWrittenByHandAreMadeAnewAndNothingElse) {
     for (const char* words :
          {"# Mine\n\n<!-- validate: families -->\nMade by", "\n\nkept | text\n", "\nend\n", "Lift", "tanks"})
         EXPECT_NE(made.find(words), std::string::npos) << words << "\n" << made;
+    const std::string short_of =
+        with_tables("<!-- validate: shortfalls -->\n<!-- /validate -->\n", "mine.md", small_report());
+    EXPECT_NE(short_of.find("wave"), std::string::npos) << short_of;
+    EXPECT_EQ(short_of.find("103 ± 4"), std::string::npos) << "this one misses nothing\n" << short_of;
+    EXPECT_NE(short_of.find("108.0 ± 2.0"), std::string::npos) << short_of;
     EXPECT_EQ(made.find("of earlier data"), std::string::npos);
     EXPECT_EQ(with_tables(made, "mine.md", small_report()), made) << "made twice";
 }
