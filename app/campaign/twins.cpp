@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
 #include "app/arguments/output.h"
 #include "app/runs/read_run.h"
@@ -12,6 +12,7 @@
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 #include "scene/hash.h"
+#include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/wave_twin.h"
 
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 LadderSizes sizes_of_twins(RunRequest own) {
     own.snapshots = false;
-    return {.request = std::move(own), .levels = 3, .ratio = std::numbers::sqrt2, .variations = false};
+    return {.request = std::move(own), .levels = 3, .ratio = std::sqrt(coarsest_twin), .variations = false};
 }
 
 Twins::Twins(RunRequest own, const fs::path& out) {

@@ -32,6 +32,22 @@ TEST(TotalDrag, IsDragAndTheLineOfEachMethod) {
     EXPECT_NE(total->remark.find("C_F 0.0025"), std::string::npos) << total->remark;
 }
 
+// A friction that rises steadily by 6 % of itself leaves less than the 1.5 flow-through times that a mean needs, once
+// its start is cut off; of the drag of 250 N it is 0.7 %.
+TEST(TotalDrag, IsKnownWhereFrictionCreepsByLittleOfTheDrag) {
+    RunRecord r = with_line("sph", 30);
+    r.numbers["length"] = 20;  // 1.5 times over are 3.75 of 5.5 s
+    Table& samples = r.tables.at("samples");
+    for (std::size_t k = 0; k < samples.time.size(); ++k)
+        samples.column("friction_line", "N").values[k] += 1.9 * samples.time[k] / samples.time.back();
+    const Comparison c = compare_records({r});
+    const Quantity *total = c.find("total_drag"), *drag = c.find("drag");
+    ASSERT_TRUE(drag && drag->values[0].known);
+    ASSERT_TRUE(total && total->values[0].known);
+    EXPECT_NEAR(total->values[0].value, drag->values[0].value + 31, 0.2);
+    EXPECT_GT(total->values[0].half_width, 1.7) << "what it may still change by";
+}
+
 TEST(TotalDrag, HasAnEffectivePowerAndACoefficientAndComesFirst) {
     const Comparison c = compare_records({with_line("sph", 200), with_line("fvm", 240)});
     const Quantity *total = c.find("total_drag"), *power = c.find("effective_power"),
