@@ -14,6 +14,10 @@ import sys
 import tempfile
 
 METHODS = {"sph": "SPH", "fvm": "interFoam"}
+# Colours [red, green, blue] from the lowest to the highest value: of the water's height, of the pressure on the hull.
+WATER = [(0.03, 0.15, 0.40), (0.20, 0.45, 0.75), (0.80, 0.92, 1.00)]
+PRESSURE = [(0.75, 0.75, 0.75), (0.95, 0.75, 0.20), (0.80, 0.05, 0.05)]
+BODY = [0.80, 0.70, 0.50]
 
 
 def sources(run):
@@ -121,6 +125,18 @@ def limits_of(sides, time):
     return (-reach, reach), (0.0, max(min(pressures), 1.0) if pressures else 1.0)
 
 
+def coloured(display, array, colours, limits):
+    """Colours what is shown by an array, ("POINTS" or "CELLS", name), evenly between its limits."""
+    from paraview import simple
+
+    simple.ColorBy(display, array)
+    function = simple.GetColorTransferFunction(array[1])
+    low, high = limits
+    function.RGBPoints = [number for i, colour in enumerate(colours)
+                          for number in (low + (high - low) * i / (len(colours) - 1), *colour)]
+    function.ColorSpace = "RGB"
+
+
 def show(run, time=None):
     """Both views; gives the times that there are."""
     files_of = sources(run)
@@ -140,6 +156,9 @@ def show(run, time=None):
         view = simple.CreateView("RenderView")
         simple.AssignViewToLayout(view=view, layout=layout, hint=0)
         view.ViewTime = time or 0
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1, 1, 1]
+        view.OrientationAxesLabelColor = [0, 0, 0]
         bounds = side["water"].GetDataInformation().GetBounds()
         half = is_half(bounds[2], bounds[3])
 
@@ -151,9 +170,10 @@ def show(run, time=None):
         water = simple.Elevation(Input=shown(side["water"]), LowPoint=[0, 0, heights[0]], HighPoint=[0, 0, heights[1]],
                                  ScalarRange=list(heights))
         display = simple.Show(water, view)
-        simple.ColorBy(display, ("POINTS", "Elevation"))
-        simple.GetColorTransferFunction("Elevation").RescaleTransferFunction(*heights)
+        coloured(display, ("POINTS", "Elevation"), WATER, heights)
         display.SetScalarBarVisibility(view, place == len(sides) - 1)
+        bar = simple.GetScalarBar(simple.GetColorTransferFunction("Elevation"), view)
+        bar.Title, bar.ComponentTitle, bar.TitleColor, bar.LabelColor = "height [m]", "", [0, 0, 0], [0, 0, 0]
         display.Opacity = 0.8
         if side["hull"]:
             hull = shown(side["hull"])
@@ -163,12 +183,11 @@ def show(run, time=None):
                 "pressure" in hull.CellData.keys() else "POINTS"
             name = "pressure" if "pressure" in data.keys() else "p"
             if name in data.keys():
-                simple.ColorBy(display, (kind, name))
-                simple.GetColorTransferFunction(name).RescaleTransferFunction(*pressures)
+                coloured(display, (kind, name), PRESSURE, pressures)
         for body in side["bodies"]:
-            simple.Show(shown(body), view).DiffuseColor = [0.8, 0.7, 0.5]
+            simple.Show(shown(body), view).DiffuseColor = BODY
         label = simple.Text(Text=METHODS[method])
-        simple.Show(label, view)
+        simple.Show(label, view).Color = [0, 0, 0]
         views.append(view)
     for view in views[1:]:
         simple.AddCameraLink(views[0], view, "both methods")
