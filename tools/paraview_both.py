@@ -1,7 +1,9 @@
 """Opens a run in ParaView: water, hull with its pressure and bodies of both methods side by side, one camera for both.
 
     paraview --script=tools/paraview_both.py RUN
-    pvpython tools/paraview_both.py RUN [--picture FILE.png] [--state FILE.pvsm] [--time SECONDS]
+    pvpython tools/paraview_both.py RUN [--picture FILE.png] [--state FILE.pvsm] [--time SECONDS] [--below]
+
+--below looks from under the water, where the pressure on the hull is; the mouse turns both views.
 
 Where ParaView does not hand words on to its scripts: TWINWAKE_RUN=RUN paraview --script=... (docs/PARAVIEW.md).
 ParaView 5.11 or newer. `sources` says what is opened and needs no ParaView.
@@ -137,7 +139,7 @@ def coloured(display, array, colours, limits):
     function.ColorSpace = "RGB"
 
 
-def show(run, time=None):
+def show(run, time=None, below=False):
     """Both views; gives the times that there are."""
     files_of = sources(run)
     try:
@@ -196,7 +198,7 @@ def show(run, time=None):
     camera.CameraViewUp = [0, 0, 1]
     focus = list(camera.CameraFocalPoint)
     away = camera.GetActiveCamera().GetDistance()
-    camera.CameraPosition = [focus[0] - 0.5 * away, focus[1] - 0.7 * away, focus[2] + 0.5 * away]
+    camera.CameraPosition = [focus[0] - 0.5 * away, focus[1] - 0.7 * away, focus[2] + (-0.5 if below else 0.5) * away]
     for view in views:
         view.CameraPosition, view.CameraFocalPoint = camera.CameraPosition, camera.CameraFocalPoint
         view.CameraViewUp = camera.CameraViewUp
@@ -206,25 +208,29 @@ def show(run, time=None):
 
 def main(words):
     run = os.environ.get("TWINWAKE_RUN")
+    below = False
     options = {"--picture": None, "--state": None, "--time": None}
     while words:
         word = words.pop(0)
         if word in ("-h", "--help"):
             print(__doc__.strip())
             return
+        if word == "--below":
+            below = True
+            continue
         if word in options and words:
             options[word] = words.pop(0)
         elif not word.startswith("-"):
             run = word
         else:
-            raise SystemExit(f"{word}: unknown; expected RUN, --picture FILE.png, --state FILE.pvsm, --time SECONDS")
+            raise SystemExit(f"{word}: unknown; expected RUN, --picture FILE.png, --state FILE.pvsm, --time SECONDS, --below")
     if not run:
         raise SystemExit("expected the folder of a run: RUN, or the environment variable TWINWAKE_RUN")
     try:
         time = float(options["--time"]) if options["--time"] else None
     except ValueError:
         raise SystemExit(f"--time {options['--time']}: expected seconds") from None
-    layout, times = show(os.path.abspath(run), time)
+    layout, times = show(os.path.abspath(run), time, below)
     from paraview import simple
 
     if options["--picture"]:

@@ -56,7 +56,7 @@ class Drawn(InAFolder):
     def drawn(self, run, *words):
         """What the script says, and the pixels of its picture, one array for each view."""
         environment = {**os.environ, "DISPLAY": self.display, "LIBGL_ALWAYS_SOFTWARE": "1"}
-        ended = subprocess.run([PVPYTHON, TOOL, run, "--picture", "both.png", *words], capture_output=True, text=True,
+        ended = subprocess.run([PVPYTHON, TOOL, run, "--below", "--picture", "both.png", *words], capture_output=True, text=True,
                                errors="replace", env=environment, timeout=200)
         self.assertEqual(ended.returncode, 0, ended.stdout[-3000:] + ended.stderr[-3000:])
         with Image.open("both.png") as picture:
