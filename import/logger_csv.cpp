@@ -263,17 +263,24 @@ private:
         const auto form_in = [&](std::size_t k, std::size_t columns) {
             return lines_[k].blank ? "" : form_of(row_of(lines_[k].text, separator.sign, columns), point);
         };
-        std::map<std::string, std::ptrdiff_t> numbers;  // in all rows of a form
+        Reading r;
+        r.separator = separator, r.point = point;
+        std::map<std::size_t, std::ptrdiff_t> by_columns;  // numbers in the rows of so many cells
         for (std::size_t k = top; k < lines_.size(); ++k) {
             const std::string form = form_in(k, 0);
             const auto values = std::ranges::count(form, 'v');
-            if (values > 1) numbers[form] += values;  // a time and a quantity
+            if (values < 2) continue;  // a time and a quantity
+            by_columns[form.size()] += values;
+            if (trimmed(lines_[k].text).ends_with(separator.sign)) by_columns[form.size() + 1] += values;
         }
-        if (numbers.empty()) return {};
-        const std::string usual =
-            std::ranges::max_element(numbers, {}, [](const auto& rows) { return rows.second; })->first;
-        Reading r;
-        r.separator = separator, r.point = point, r.columns = usual.size();
+        if (by_columns.empty()) return {};
+        const auto numbers = [](const auto& rows) { return rows.second; };
+        r.columns = std::ranges::max_element(by_columns, {}, numbers)->first;
+        std::map<std::string, std::ptrdiff_t> by_form;
+        for (std::size_t k = top; k < lines_.size(); ++k)
+            if (const std::string form = form_in(k, r.columns); form.size() == r.columns)
+                by_form[form] += std::ranges::count(form, 'v');
+        const std::string usual = std::ranges::max_element(by_form, {}, numbers)->first;
         r.first = top;
         while (!fits(form_in(r.first, r.columns), usual)) ++r.first;
         r.last = r.first;

@@ -139,6 +139,17 @@ def coloured(display, array, colours, limits):
     function.ColorSpace = "RGB"
 
 
+def add_legend(view, array, title, place):
+    """A legend of an array's colours on the right of a view; `place`: of its lower end, from 0 (low) to 1 (high)."""
+    from paraview import simple
+
+    bar = simple.GetScalarBar(simple.GetColorTransferFunction(array), view)
+    bar.Visibility = 1
+    bar.Title, bar.ComponentTitle, bar.TitleColor, bar.LabelColor = title, "", [0, 0, 0], [0, 0, 0]
+    bar.TitleFontSize, bar.LabelFontSize, bar.HorizontalTitle = 14, 12, 1
+    bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", [0.80, place], 0.32
+
+
 def show(run, time=None, below=False):
     """Both views; gives the times that there are."""
     files_of = sources(run)
@@ -173,9 +184,9 @@ def show(run, time=None, below=False):
                                  ScalarRange=list(heights))
         display = simple.Show(water, view)
         coloured(display, ("POINTS", "Elevation"), WATER, heights)
-        display.SetScalarBarVisibility(view, place == len(sides) - 1)
-        bar = simple.GetScalarBar(simple.GetColorTransferFunction("Elevation"), view)
-        bar.Title, bar.ComponentTitle, bar.TitleColor, bar.LabelColor = "height [m]", "", [0, 0, 0], [0, 0, 0]
+        display.SetScalarBarVisibility(view, False)
+        if place == len(sides) - 1:
+            add_legend(view, "Elevation", "height [m]", 0.06)
         display.Opacity = 0.8
         if side["hull"]:
             hull = shown(side["hull"])
@@ -186,6 +197,9 @@ def show(run, time=None, below=False):
             name = "pressure" if "pressure" in data.keys() else "p"
             if name in data.keys():
                 coloured(display, (kind, name), PRESSURE, pressures)
+                display.SetScalarBarVisibility(view, False)
+                if place == len(sides) - 1:
+                    add_legend(view, name, "pressure [Pa]", 0.56)
         for body in side["bodies"]:
             simple.Show(shown(body), view).DiffuseColor = BODY
         label = simple.Text(Text=METHODS[method])

@@ -62,9 +62,10 @@ class Drawn(InAFolder):
         with Image.open("both.png") as picture:
             pixels = np.asarray(picture.convert("RGB"), dtype=int)
         Path("both.png").unlink()
-        pixels[pixels.shape[0] * 3 // 4:] = 255  # there stand the axes, which are coloured as well
         methods = [m for m in ("sph", "fvm") if Path(run, m).is_dir()]
-        return ended.stdout, np.array_split(pixels[:, :len(methods) * (pixels.shape[1] // len(methods))], len(methods), 1)
+        views = np.array_split(pixels, len(methods), axis=1)
+        # without what is coloured as well: below the axes, on the right the legends
+        return ended.stdout, [v[:v.shape[0] * 3 // 4, :v.shape[1] * 3 // 4] for v in views]
 
     @staticmethod
     def water(view):
