@@ -62,7 +62,7 @@ struct StepView {
     const LinkMap* maps;
     const Comm& ranks;
     const Halo &halo, &dummies_halo;  ///< see `exchange`
-    double h, mass, time;
+    double h, mass, time;             ///< smoothing length [m], of a particle [kg], now [s]
     DeviceLoops* device = nullptr;  ///< null: this process makes the step
 
     /// Calls `body(i)` for every i < count.

@@ -203,7 +203,7 @@ public:
 
     /// What a restart needs beside the particles.
     struct State {
-        double time = 0, dt = 0;
+        double time = 0, dt = 0;  ///< [s]
         std::int64_t steps = 0;
         Ledger ledger;
         Extremes extremes;
