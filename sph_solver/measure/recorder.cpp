@@ -86,7 +86,10 @@ double work_up_to(const Table& t, std::size_t row) {
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord record)
-    : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()), gauges_(scene, simulation.setup()) {
+    : scene_(scene),
+      record_(std::move(record)),
+      factor_(scene.symmetry_factor()),
+      height_probes_(scene, simulation.setup()) {
     const SimulationSetup& s = simulation.setup();
     if (scene.hull) {
         Box region = scene.hull->surface.bounds();
@@ -238,7 +241,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
             t.set(k, "friction_line", per_span("N"), friction_by_line(scene_, area, length));
     }
     record_walls(simulation, k);
-    gauges_.record(simulation, record_);
+    height_probes_.record(simulation, record_);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
     record_levels(simulation);
 }
