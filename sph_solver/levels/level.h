@@ -243,7 +243,7 @@ private:
     struct OfAllParts;
     OfAllParts join(const std::vector<Moved>& parts) const;
     void agree(OfAllParts& all, const Vec3& moment_reference);
-    Impulses strike(OfAllParts& all, double dt);
+    Impulses impulses_on_bodies(OfAllParts& all, double dt);
     void note_extremes(const OfAllParts& all);
     void note_travel(const OfAllParts& all, const Schedule::Move& move, double speed_before);
     void check_speed(const OfAllParts& all) const;
