@@ -18,9 +18,9 @@
 #include "sph_solver/air.h"
 #include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/equations/half_space.h"
-#include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/packing.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/measure/water_energy.h"
 #include "sph_solver/measure/water_raster.h"
 
