@@ -15,7 +15,7 @@ namespace tw {
 struct AirOptions {
     double density = Water{}.air_density;      ///< rho_a [kg/m3]
     double sound_speed = SphOptions{}.air_c0;  ///< c_a [m/s]
-    double heat_capacities = 1.4;              ///< gamma
+    double heat_capacities = 1.4;              ///< gamma [-]
 };
 
 /// Puts the gas beside the water; before the first step. What flies up bounces off the lid. Throws InputError for a

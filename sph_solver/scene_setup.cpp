@@ -184,7 +184,7 @@ void place_particles(const Scene& scene, const std::vector<Box>& blocks, SphSetu
 }
 
 /// What all ranks know of those.
-void tell_of_particles(const Comm& ranks, SphSetup& setup) {
+void share_sums_of_particles(const Comm& ranks, SphSetup& setup) {
     setup.fluid.resize(setup.simulation.zones.size() + 1);
     for (Fluid& fluid : setup.fluid) ranks.take_from_owners(std::span(&fluid.volume, 1));
     if (setup.air) ranks.take_from_owners(std::span(&setup.air->fluid.volume, 1));
@@ -304,7 +304,7 @@ SphSetup sph_setup(const Scene& scene, int threads, const Comm& ranks) {
         setup.control_volume.reset();  // it balances the water alone
     }
     ranks.on_first([&] { place_particles(scene, blocks, setup); });
-    tell_of_particles(ranks, setup);
+    share_sums_of_particles(ranks, setup);
     return setup;
 }
 

@@ -10,7 +10,7 @@
 #include "base/exact_sum.h"
 #include "meshes/generate.h"
 #include "record/certificate.h"
-#include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {

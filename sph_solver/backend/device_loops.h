@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sph_solver/device/kernel_of.h"
 #include "sph_solver/pair_loops/clusters.h"
 
 namespace tw {
@@ -21,17 +22,17 @@ public:
     virtual std::size_t bytes() const = 0;
 };
 
-/// A device that runs loops of for_particles.h in place of this process. Loops come as kernels by name, with their
-/// bodies or views, whose pointers are the device's.
+/// A device that runs loops of for_particles.h in place of this process. Loops come as their bodies or views, whose
+/// pointers are the device's; their types say which kernel it is.
 class DeviceLoops {
 public:
     virtual ~DeviceLoops() = default;
-    virtual void each(const char* kernel, const void* body, std::size_t count) = 0;
-    virtual double largest(const char* kernel, const void* value, std::size_t count) = 0;  ///< 0 or more
-    virtual void pairs(const char* kernel, const void* view, std::span<const Cluster> clusters) = 0;
+    virtual void each(DeviceKernel body, std::size_t count) = 0;
+    virtual double largest(DeviceKernel value, std::size_t count) = 0;  ///< 0 or more
+    virtual void pairs(DeviceKernel view, std::span<const Cluster> clusters) = 0;
     /// The pair loop of a view over those of the clusters that a condition chooses, which get to `chosen`.
-    virtual void pairs_where(const char* choose_kernel, const void* condition, std::span<const Cluster> clusters,
-                             Cluster* chosen, const char* kernel, const void* view) = 0;
+    virtual void pairs_where(DeviceKernel condition, std::span<const Cluster> clusters, Cluster* chosen,
+                             DeviceKernel view) = 0;
     virtual std::unique_ptr<RoomOnDevice> make_room() = 0;
     /// Halo::exchange of an array of the device, of elements of so many bytes.
     virtual void exchange(const Halo& halo, void* values, std::size_t bytes) = 0;

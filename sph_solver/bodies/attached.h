@@ -32,7 +32,7 @@ public:
     /// What says it of a body that deforms; empty: it does not.
     struct WettedSurface {
         std::span<const Corners> corners;
-        std::span<const V3<double>> noted, velocity;  ///< as SurfaceMotion has them
+        std::span<const V3<double>> noted, velocity;  ///< as SurfaceMotion has them [m], [m/s]
         std::int64_t times_noted = 0;
     };
     virtual WettedSurface wetted_surface() const { return {}; }

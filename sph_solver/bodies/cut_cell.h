@@ -7,7 +7,7 @@ namespace tw {
 /// these, which is the cell's middle where there are none.
 struct CutCell {
     int within = 0, samples = 1;
-    Vec3 centroid;
+    Vec3 centroid;  ///< [m]
     double of(double volume) const { return volume * within / samples; }
 };
 

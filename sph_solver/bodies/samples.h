@@ -11,10 +11,10 @@ class Body;
 
 /// Points at which the solver is asked for pressure, Shepard sum and (when wanted) the pressure that pairs carry.
 struct PointSamples {
-    std::vector<Vec3> places;
+    std::vector<Vec3> places;  ///< [m]
     bool want_flux = false;
     std::vector<float> p;  ///< [Pa], Shepard mean of the water near, hydrostatically corrected without `want_flux`
-    std::vector<float> support;  ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall
+    std::vector<float> support;  ///< sum_j V_j W_j: 1 inside water, 1/2 on a flat wetted wall [-], as long as `places`
     /// Momentum flux that the pair forces carry [Pa], xx, xy, xz, yy, yz and zz of each point; nothing out of water.
     std::vector<float> flux;
 };

@@ -43,7 +43,7 @@ struct PlacesAhead {
     StateView p;
     double ahead;  ///< [s]
     const int* which;
-    V3<double>* place;
+    V3<double>* place;  ///< [m]
 
     void operator()(std::size_t k) const { place[k] = place_ahead(p, static_cast<std::size_t>(which[k]), ahead); }
 };
@@ -59,8 +59,8 @@ struct FastestOf {
 struct FoundAt {
     const int* order;  ///< which place stands at k
     const PackedVelocityDensity* value;
-    const float *support, *mean_support;
-    const float* compression;  ///< null: it was not asked for
+    const float *support, *mean_support;  ///< [-]
+    const float* compression;             ///< null: it was not asked for [kg/m3/s]
 
     Given operator()(std::size_t k) const {
         return {value[k], support[k], mean_support[k], compression ? compression[k] : 0};
@@ -75,7 +75,7 @@ struct LabelKnown {
     Label label;
     StateView p;
     EdgeDistance* known;
-    double* outside;
+    double* outside;  ///< Zone::outside of each particle [m]
     int *unknown, *count;
 
     V3<double> place(std::size_t i) const { return {p.x[i], p.y[i], p.z[i]}; }
@@ -126,8 +126,8 @@ struct LeaveZone {
     FoundAt found;
     StateView p;
     const int* which;
-    const double* outside;
-    double gone_beyond;
+    const double* outside;  ///< Zone::outside of each particle [m]
+    double gone_beyond;     ///< [m]
     int* gone;
     Left* left;
 
@@ -155,8 +155,8 @@ struct MarkStaying {
 struct MarkParents {
     const Kind* kind;
     const Daughters* daughters;
-    const double* outside;
-    double within;
+    const double* outside;  ///< Zone::outside of each particle [m]
+    double within;          ///< [m]
     int* marks;
 
     void operator()(std::size_t i) const { marks[i] = Parent::is(kind[i], daughters[i], outside[i], within); }
@@ -174,8 +174,8 @@ struct TakeParents {
     }
 };
 struct MarkBetween {
-    const double* outside;
-    double from, to;
+    const double* outside;  ///< Zone::outside of each particle [m]
+    double from, to;        ///< [m]
     int* marks;
 
     void operator()(std::size_t i) const { marks[i] = outside[i] > from && outside[i] < to; }

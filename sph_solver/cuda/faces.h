@@ -12,7 +12,7 @@ namespace tw::cuda {
 /// Marks the particles that have crossed the inlet's plane, and those that have left.
 struct Cross {
     CrossOpenings cross;
-    const double* x;
+    const double* x;  ///< [m]
     Kind* kind;
     int *entered, *gone;
 
@@ -28,7 +28,7 @@ struct Enter {
     const int *entered, *before;  ///< how many of those before have entered
     int* gone;
     std::size_t n;
-    double buffer;
+    double buffer;  ///< its length [m]
     std::int64_t next_id;
 
     void operator()(std::size_t i) const {

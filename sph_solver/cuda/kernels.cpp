@@ -27,9 +27,9 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/force_on_dummies.h"
-#include "sph_solver/pair_loops/engine_isa.cpp"
 #include "sph_solver/pair_loops/interpolate_isa.cpp"
 #include "sph_solver/pair_loops/level_pair_isa.cpp"
+#include "sph_solver/pair_loops/right_hand_side_isa.cpp"
 #pragma clang force_cuda_host_device end
 
 namespace tw {

@@ -33,13 +33,13 @@ struct CountWallLoads {
 /// A cluster at a wall, and its centre [m].
 struct ClusterAtWall {
     Cluster cluster;
-    double x, y, z;
+    double x, y, z;  ///< [m]
 };
 struct ListClustersAtWalls {
     Pencils pencils;
     const int* pencil;
     const int *first_load, *at_wall, *before;
-    double origin[3], unit;
+    double origin[3], unit;  ///< [m]
     Cluster* clusters;
     ClusterAtWall* list;
 
@@ -63,8 +63,8 @@ struct MarkPressed {
 };
 /// Where a particle is that may be near a wall.
 struct NearWall {
-    double x, y, z;
-    float u, v, w;
+    double x, y, z;      ///< [m]
+    float u, v, w;       ///< [m/s]
     std::int32_t index;  ///< -1: none
     Kind kind;
 };

@@ -58,12 +58,12 @@ struct MarkSurface {
 };
 
 struct LinearPressure {
-    float c0_squared;
+    float c0_squared;  ///< [m2/s2]
     float operator()(float drho) const { return c0_squared * drho; }
 };
 struct PressureOfState {
     StateEquation state;
-    double rho0;
+    double rho0;  ///< [kg/m3]
     float operator()(float drho) const { return state.pressure(rho0, drho); }
 };
 /// AfterFirstPairLoop beside walls.

@@ -17,4 +17,19 @@ struct KernelOf;
     struct Work;                          \
     TW_KERNEL_OF(kernel, Work)
 
+/// A loop's body, a condition or the view of a pair loop with the kernel that a device has for its type: what names the
+/// kernel is the type alone. It holds the address of the work, which must live until the kernel was started.
+class DeviceKernel {
+public:
+    template <class Work>
+    DeviceKernel(const Work& work) : name_(KernelOf<Work>::name), work_(&work) {}
+    const char* name() const { return name_; }
+    /// As the driver wants the place of an argument, which it only reads.
+    void* argument() const { return const_cast<void*>(work_); }
+
+private:
+    const char* name_;
+    const void* work_;
+};
+
 }  // namespace tw

@@ -15,7 +15,7 @@ struct Extremes {
 
 /// Beyond these a run is stopped: density deviation over rho0, and speed over c0 [-].
 inline constexpr double largest_density_deviation = 0.3, largest_mach = 1.0;
-/// Beyond these the run continues and its certificate says that the sound speed is too low: speed over c0 (the
+/// Beyond these the run continues and its validity checks say that the sound speed is too low: speed over c0 (the
 /// density's error grows with its square) and compression [-].
 inline constexpr double trusted_mach = 0.15, trusted_compression = 0.05;
 /// The same of a gas, which may be compressed: speed over its sound speed [-].

@@ -21,13 +21,13 @@ struct LevelSetup {
     double shifting = SphOptions{}.shifting;  ///< A of equations/shifting.h [-]
     /// Shepard sum sum_j V_j W_ij (walls and images counted; 1 in the interior, about 0.75 at a flat free surface)
     /// below which a particle counts as free surface and bears no tension.
-    double surface_support = 0.9;
+    double surface_support = 0.9;  ///< [-]
     /// How full the kernel's half towards a wall has to be for the wall to compress the water, see WallCompleteness.
-    double touch_support = SphOptions{}.touch_support;
+    double touch_support = SphOptions{}.touch_support;  ///< [-]
     /// How fast density follows the particles' packing beside solids, k of Packing; 0 or no shifting: not at all.
-    double packing = 0;
+    double packing = 0;  ///< [-]
     /// Shifting acts from this Shepard sum on; near the free surface only along it.
-    double shifting_support = 0.95;
+    double shifting_support = 0.95;  ///< [-]
     /// Inside the water (Shepard sum above `shifting_support`, no wall within reach) p_j - p_i in place of p_j + p_i
     /// where p_i < 0: no clumping under tension, but pairs no longer cancel there.
     bool tension_control = false;

@@ -25,14 +25,14 @@ public:
     /// When the rates are evaluated, after the step's begin; for how long the density changes by the continuity
     /// equation on the way, and the places drift between the two pair loops.
     struct Evaluation {
-        double after, compress, drift;
+        double after, compress, drift;  ///< [s]
     };
     Evaluation evaluation(double previous_dt) const;
 
     /// For how long velocities and densities change by the rates, places have drifted in this step already, and drift
     /// at its end.
     struct Move {
-        double kick, drifted, drift;
+        double kick, drifted, drift;  ///< [s]
     };
     Move move(double previous_dt, double dt) const;
 

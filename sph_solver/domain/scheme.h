@@ -19,12 +19,12 @@ Scheme scheme_of(const std::string& name);
 
 struct TimeOptions {
     Scheme scheme = scheme_of(SphOptions{}.scheme);
-    double cfl = SphOptions{}.cfl;  ///< dt = cfl h / (c0 + |u|)
+    double cfl = SphOptions{}.cfl;  ///< dt = cfl h / (c0 + |u|) [-]
 };
 
 /// One stage of an explicit Runge-Kutta step: at t + c dt, reached with the rates of the stage before; its weight.
 struct Stage {
-    double c, weight;
+    double c, weight;  ///< of the step; of the mean [-]
 };
 
 }  // namespace tw

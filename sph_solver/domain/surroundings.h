@@ -15,7 +15,7 @@ class Comm;
 /// What all levels of a run share. SI units.
 struct Surroundings {
     int dimensions = 3;
-    Vec3 gravity{0, 0, -Water{}.gravity};
+    Vec3 gravity{0, 0, -Water{}.gravity};  ///< [m/s2]
     /// Particles move freely inside; mirror planes lie on its faces.
     Box domain;
     Mirrors mirrors;

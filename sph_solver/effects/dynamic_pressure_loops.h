@@ -15,7 +15,7 @@ struct WeighUnderSurface {
     PackedRate* rate;
     RestPressure at_rest;
     double rho0;             ///< [kg/m3]
-    double surface_support;  ///< of LevelSetup
+    double surface_support;  ///< of LevelSetup [-]
 
     double operator()(std::size_t i) const {
         if (!follows_the_equations(kind[i])) return 0;

@@ -62,26 +62,26 @@ struct StepView {
     const LinkMap* maps;
     const Comm& ranks;
     const Halo &halo, &dummies_halo;  ///< see `exchange`
-    double h, mass, time;
+    double h, mass, time;             ///< smoothing length [m], of a particle [kg], now [s]
     DeviceLoops* device = nullptr;  ///< null: this process makes the step
 
     /// Calls `body(i)` for every i < count.
     template <class Body>
     void each(std::size_t count, const Body& body) const {
         if (!device) return for_particles(count, body);
-        device->each(KernelOf<Body>::name, &body, count);
+        device->each(body, count);
     }
     /// The largest `value(i)` over i < count, or 0.
     template <class Value>
     double largest(std::size_t count, const Value& value) const {
         if (!device) return largest_of(count, 0, value);
-        return device->largest(KernelOf<Value>::name, &value, count);
+        return device->largest(value, count);
     }
     /// A pair loop over the neighbours of the level's clusters, or of others.
     template <class View>
     void pairs(const View& view, std::span<const Cluster> of) const {
         if (!device) return for_pairs(passes, view, of);
-        device->pairs(KernelOf<View>::name, &view, of);
+        device->pairs(view, of);
     }
     template <class View>
     void pairs(const View& view) const {
@@ -92,8 +92,7 @@ struct StepView {
     template <class Choose, class View>
     void pairs_where(const Choose& choose, const View& view, LoopArray<Cluster>& chosen) const {
         Cluster* const to = chosen.resize(device, clusters.size());
-        if (device)
-            return device->pairs_where(KernelOf<Choose>::name, &choose, clusters, to, KernelOf<View>::name, &view);
+        if (device) return device->pairs_where(choose, clusters, to, view);
         std::size_t count = 0;
         for (const Cluster& g : clusters)
             if (choose(g)) to[count++] = g;

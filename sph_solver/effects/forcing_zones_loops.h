@@ -14,7 +14,7 @@ struct ForceInZones {
         int axis;
         double begin, per_length;  ///< [m], 1 / (end - begin) [1/m]
         double gamma;              ///< [1/s]
-        double share;              ///< of the stream's velocity
+        double share;              ///< of the stream's velocity [-]
     };
     static constexpr int most = 6;  ///< as many as a domain has faces
 

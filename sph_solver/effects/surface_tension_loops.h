@@ -11,7 +11,7 @@ namespace tw {
 struct NormalOfSurface {
     PackedVelocityDensity* normal;
     float* length;  ///< |grad C| [1/m]
-    double h;
+    double h;       ///< smoothing length [m]
 
     void operator()(std::size_t i) const {
         PackedVelocityDensity& r = normal[i];
@@ -27,7 +27,7 @@ struct PullAtSurface {
     SurfaceForce force;
     const PackedPlace* place;
     const PackedVelocityDensity* normal;
-    const float *curvature, *length;
+    const float *curvature, *length;  ///< [1/m], |grad C| [1/m]
     PackedRate* rate;
 
     void operator()(std::size_t i) const {

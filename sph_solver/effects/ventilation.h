@@ -21,7 +21,7 @@ class Effect;
 /// void that opens deep in the water; and no particle lets it in whose own density is low by chance. At the start, and
 /// when a particle is new, it is at all that are at the free surface.
 struct Ventilation {
-    float reach_over_dp = 2;
+    float reach_over_dp = 2;  ///< how far air is looked for [dp]
 };
 std::unique_ptr<Effect> make_effect(const Ventilation& options);
 

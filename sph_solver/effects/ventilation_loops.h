@@ -12,7 +12,7 @@ namespace tw {
 struct AirAtParticles {
     Aired* aired;
     const PackedWallNormal* wall;  ///< null: there are no walls
-    const float* drho;
+    const float* drho;             ///< rho - rho0 [kg/m3]
     const std::uint32_t* surface;
     float reach;  ///< [m]
 

@@ -11,7 +11,7 @@ class Effect;
 
 /// Subgrid turbulence after Smagorinsky, equations/smagorinsky.h.
 struct EddyViscosity {
-    double cs = 0.12;  ///< Cs
+    double cs = 0.12;  ///< Cs [-]
 };
 
 /// Physical viscosity, equations/viscosity.h. The solids do not rub (slip) or hold the water (no slip), and so do the

@@ -10,7 +10,7 @@
 namespace tw {
 
 struct SetViscosity {
-    float* mu;
+    float* mu;  ///< [Pa s]
     float to;  ///< [Pa s]
 
     void operator()(std::size_t i) const { mu[i] = to; }
@@ -33,7 +33,7 @@ struct AddEddies {
     bool holds[3][2];              ///< its walls that hold the water, as Mirrors::holding
     double filter;                 ///< Cs dp [m]
     double rho0;
-    float* mu;
+    float* mu;  ///< [Pa s]
 
     double operator()(std::size_t i) const {
         double length = filter;

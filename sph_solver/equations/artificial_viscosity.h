@@ -16,7 +16,7 @@ namespace tw {
 /// `Math` makes quotients: exactly, or as well as a variant of the passes wants them.
 template <class Math = ExactMath>
 struct ArtificialViscosity {
-    float viscosity;  ///< alpha c0 rho0 / 2
+    float viscosity;  ///< alpha c0 rho0 / 2 [kg/m2/s]
     template <class Real, class Form>
     Real pressure(const Pair<Real, Form>& ij, const V3<Real>& u_ij) const {
         return Math::quotient(viscosity * dot(u_ij, ij.r_ji), ij.distance * ij.distance + 0.0025f);

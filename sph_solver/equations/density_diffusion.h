@@ -15,7 +15,7 @@ namespace tw {
 ///
 /// so the sum wants the factor delta c0.
 struct DensityDiffusion {
-    float h;
+    float h;  ///< smoothing length [2h]
     template <class Real, class Form>
     void add(const Pair<Real, Form>& ij, const Real& drho_ji, const V3<Real>& grad_sum, Real& sum) const {
         sum += ij.FV * (drho_ji - h * dot(grad_sum, ij.r_ji));

@@ -12,7 +12,7 @@ namespace tw {
 /// with the fluids' reference densities: 2 (u_i - u*) = of_own (u_i - u_j), 2 p* = of_own p_i + of_other p_j. The two
 /// sums are dual: the work of the one is the energy of the other.
 struct Contact {
-    float of_own, of_other;
+    float of_own, of_other;  ///< [-]
     Contact(float rho_own, float rho_other)
         : of_own(2 * (rho_other / (rho_own + rho_other))), of_other(2 * (rho_own / (rho_other + rho_own))) {}
 };

@@ -21,7 +21,7 @@ namespace tw {
 struct StateEquation {
     enum class Form { linear, tait, mie_grueneisen } form = Form::linear;
     double c0 = 0;  ///< [m/s]
-    double gamma = 7;
+    double gamma = 7;                                                    ///< Tait's exponent [-]
     double S1 = 2.56, S2 = -1.985, S3 = 0.2268, gamma0 = 0.5, a = 2.67;  ///< Mie-Grueneisen, water [-]
 
     float pressure(double rho0, float drho) const {

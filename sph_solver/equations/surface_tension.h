@@ -29,7 +29,7 @@ inline Real curvature(const VectorGradient<Real>& grad_n) {
 
 /// The acceleration's component along n, with 1 / rho_i = V_i / m.
 struct SurfaceForce {
-    float per_mass;  ///< 2 sigma / m
+    float per_mass;  ///< 2 sigma / m [1/s2]
     SurfaceForce(double sigma, double m) : per_mass(static_cast<float>(2 * sigma / m)) {}
     float along_normal(float V, float kappa, float gradC) const { return per_mass * V * kappa * gradC; }
 };

@@ -12,8 +12,8 @@ namespace tw {
 /// surface is on the other side: so a film is touched as deep water is. A void of width g takes 2 g W_1(dp/2) from it,
 /// W_1 the kernel integrated over planes: 0.08 at g = dp/10 with h = 1.55 dp.
 struct WallCompleteness {
-    float inv_dp;    ///< 2h / dp, for lengths in 2h
-    float inv_void;  ///< 1 / (1 - touch_support)
+    float inv_dp;    ///< 2h / dp, for lengths in 2h [-]
+    float inv_void;  ///< 1 / (1 - touch_support) [-]
 
     /// One neighbour's part of T_i / W_over_G.
     template <class Real, class Form>

@@ -52,8 +52,9 @@ namespace tw {
 template <Law law, Kept kept, With with>
 struct AboutField {
     static constexpr bool moves = kept != Kept::sorted;
+    static constexpr With had_with = with;               ///< what a level has that has it
     static constexpr bool always = with == With::water;  ///< every level has it
-    /// Found with the nearest wall.
+    /// Found with the nearest wall, and exchanged between ranks then.
     static constexpr bool of_walls = with == With::walls || with == With::moving_bodies || with == With::elastic_bodies;
 };
 

@@ -31,7 +31,7 @@ struct Trend {
 struct EdgeDistance {
     float x = std::numeric_limits<float>::quiet_NaN(), y = 0, z = 0;  ///< [m]; not a number: it never was
     float outside = 0;                                                ///< Zone::outside there [m]
-    float by = 0, turn = 0;                                           ///< sums of Zone::Shift since the start
+    float by = 0, turn = 0;                                           ///< Zone::Shift summed since the start [m], [rad]
 };
 
 }  // namespace tw

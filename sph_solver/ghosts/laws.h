@@ -17,7 +17,7 @@ struct HydrostaticLine {
     double pressure = 0;   ///< likewise [Pa]
 };
 struct Hydrostatic {
-    double rho0, c0;
+    double rho0, c0;  ///< [kg/m3], [m/s]
     HydrostaticLine line(const V3<double>& g, const V3<double>& step) const {
         return {gradient(g), deviation(g, step), pressure(g, step)};
     }

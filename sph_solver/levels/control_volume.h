@@ -25,7 +25,7 @@ public:
     struct State {
         Vec3 crossed = Vec3::Zero();  ///< momentum carried in minus out since the start [N s]
         Vec3 impulse = Vec3::Zero();  ///< of face pressure and gravity [N s]
-        double since = 0;
+        double since = 0;             ///< for so long the sums have been taken [s]
     };
 
     ControlVolume() = default;

@@ -8,7 +8,7 @@ namespace tw {
 
 /// Places that are none of a level's particles, and what it is there, see Level::interpolate.
 struct FieldsAt : Asking {
-    std::vector<Vec3> places{};
+    std::vector<Vec3> places{};  ///< [m]
     std::vector<PackedVelocityDensity> value{};
     std::vector<float> support{};       ///< sum_j V_j W_j of those particles [-]
     std::vector<float> mean_support{};  ///< of the particles near, each with its own surroundings [-]

@@ -12,7 +12,7 @@ void HaloOnDevice::set(const Halo& halo) {
 }
 
 void HaloOnDevice::exchange(std::initializer_list<cuda::PartOfEach> parts) {
-    if (!halo_ || halo_->tells_nobody()) return;
+    if (!halo_ || halo_->has_no_partners()) return;
     cuda::Message message{};
     for (const cuda::PartOfEach& part : parts) message.parts[message.count++] = part, message.of_each += part.bytes;
     const auto bytes = static_cast<std::size_t>(message.of_each);

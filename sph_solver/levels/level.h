@@ -37,7 +37,7 @@ struct Timers {
 /// An evaluation of the rates takes two loops over the pairs, in this order (schedule.h says for how long what moves):
 ///
 ///   refresh           packed arrays of the particles and their images; lists, where they are due
-///   first_pair_loop   at (x, u): div u, density gradient, kernel support;   rho -= compress rho div u;   x += drift u
+///   first_pair_loop   at (x, u): div u, density gradient, Shepard sum;   rho -= compress rho div u;   x += drift u
 ///                     p = p(rho); effects change it
 ///   second_pair_loop  wall pressure; acceleration a, density diffusion D; effects add to them
 ///   advance           u += kick a;   rho += kick D;   x += drift u + shift;   walls, limits
@@ -95,7 +95,7 @@ public:
     }
     KindCounts kinds() const;  ///< of the particles of all ranks
     double pressure(std::size_t i) const;
-    /// Kernel support of a particle at the last evaluation [-].
+    /// Shepard sum of a particle at the last evaluation [-].
     double support(std::size_t i) const { return double(on_host().shift_support[i].support); }
     bool has_packed_arrays() const { return !system_.particles.gradient_pressure.empty(); }
     double visited_per_particle() const;  ///< pairs that a pair loop works through, useful or not
@@ -114,7 +114,7 @@ public:
         system_.ledger.next_id += count;
         return first;
     }
-    /// Kernel support below which a particle counts as free surface.
+    /// Shepard sum below which a particle counts as free surface.
     void set_surface_support(double support) { system_.setup.surface_support = support; }
     void set_control_volume(ControlVolume volume);
     ControlVolume* control_volume() { return system_.control ? &*system_.control : nullptr; }
@@ -194,7 +194,7 @@ public:
     StepView step_view(double t) { return steps_->step_view(t); }
     FirstPairLoopData first_pair_loop_data() { return system_.first_pair_loop_data(); }
     SecondPairLoopData second_pair_loop_data(double t) { return system_.second_pair_loop_data(t); }
-    /// Pressure, kernel support and (where the points want it) carried pressure at points, from the present packed
+    /// Pressure, Shepard sum and (where the points want it) carried pressure at points, from the present packed
     /// arrays.
     void sample(PointSamples& points) const;
     /// Velocity and density of the particles at places near them, as they are between two pair loops. The lists must
@@ -203,7 +203,7 @@ public:
 
     /// What a restart needs beside the particles.
     struct State {
-        double time = 0, dt = 0;
+        double time = 0, dt = 0;  ///< [s]
         std::int64_t steps = 0;
         Ledger ledger;
         Extremes extremes;
@@ -243,7 +243,7 @@ private:
     struct OfAllParts;
     OfAllParts join(const std::vector<Moved>& parts) const;
     void agree(OfAllParts& all, const Vec3& moment_reference);
-    Impulses strike(OfAllParts& all, double dt);
+    Impulses impulses_on_bodies(OfAllParts& all, double dt);
     void note_extremes(const OfAllParts& all);
     void note_travel(const OfAllParts& all, const Schedule::Move& move, double speed_before);
     void check_speed(const OfAllParts& all) const;

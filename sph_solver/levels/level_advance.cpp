@@ -59,7 +59,7 @@ Level::Impulses Level::advance(const Schedule::Move& move, const Vec3& moment_re
     const auto held = [&](std::size_t i, Moved& part) { hold(i, moment_reference, part); };
     OfAllParts all = join(steps_->move(moving, held));
     agree(all, moment_reference);
-    Impulses impulses = strike(all, move.kick);
+    Impulses impulses = impulses_on_bodies(all, move.kick);
     note_extremes(all);
     note_travel(all, move, speed_before);
     system_.time += move.kick;
@@ -178,7 +178,7 @@ void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
 }
 
 /// What held particles give to the bodies.
-Level::Impulses Level::strike(OfAllParts& all, double dt) {
+Level::Impulses Level::impulses_on_bodies(OfAllParts& all, double dt) {
     Impulses impulses;
     if (all.sums.held > 0 && system_.walls.any_deformable()) impulses.places = std::move(all.wall_impulses);
     for (std::size_t b = 0; b < all.on_bodies.size(); ++b) {

@@ -24,46 +24,43 @@ private:
     cuda::Array<std::byte> of_;
 };
 
-/// As the driver wants the place of an argument, which it only reads.
-void* place(const void* argument) { return const_cast<void*>(argument); }
-
 }  // namespace
 
-void LoopsOnDevice::each(const char* kernel, const void* body, std::size_t count) {
-    void* arguments[] = {place(body), &count};
-    device_->launch(kernel, count, arguments);
+void LoopsOnDevice::each(DeviceKernel body, std::size_t count) {
+    void* arguments[] = {body.argument(), &count};
+    device_->launch(body.name(), count, arguments);
 }
 
-double LoopsOnDevice::largest(const char* kernel, const void* value, std::size_t count) {
+double LoopsOnDevice::largest(DeviceKernel value, std::size_t count) {
     parts_.resize((count + cuda::threads_in_block - 1) / cuda::threads_in_block);
     double* parts = parts_.data();
-    void* arguments[] = {place(value), &parts, &count};
-    device_->launch(kernel, count, arguments);
+    void* arguments[] = {value.argument(), &parts, &count};
+    device_->launch(value.name(), count, arguments);
     std::vector<double> on_host(parts_.size());
     parts_.download(on_host);
     return on_host.empty() ? 0 : *std::ranges::max_element(on_host);
 }
 
-void LoopsOnDevice::pairs(const char* kernel, const void* view, std::span<const Cluster> clusters) {
+void LoopsOnDevice::pairs(DeviceKernel view, std::span<const Cluster> clusters) {
     const Cluster* first = clusters.data();
     int count = static_cast<int>(clusters.size());
-    void* arguments[] = {place(view), &first, &count};
-    device_->launch(kernel, clusters.size() * cuda::warp, arguments);
+    void* arguments[] = {view.argument(), &first, &count};
+    device_->launch(view.name(), clusters.size() * cuda::warp, arguments);
 }
 
 /// How many clusters were chosen the device alone knows: nobody waits for it.
-void LoopsOnDevice::pairs_where(const char* choose_kernel, const void* condition, std::span<const Cluster> clusters,
-                                Cluster* chosen, const char* kernel, const void* view) {
+void LoopsOnDevice::pairs_where(DeviceKernel condition, std::span<const Cluster> clusters, Cluster* chosen,
+                                DeviceKernel view) {
     count_.resize(1);
     count_.set_zero();
     const Cluster* of = clusters.data();
     int* count = count_.data();
     std::size_t n = clusters.size();
-    void* to_choose[] = {place(condition), &of, &chosen, &count, &n};
-    device_->launch(choose_kernel, n, to_choose);
+    void* to_choose[] = {condition.argument(), &of, &chosen, &count, &n};
+    device_->launch(condition.name(), n, to_choose);
     const Cluster* first = chosen;
-    void* arguments[] = {place(view), &first, &count};
-    device_->launch(kernel, n * cuda::warp, arguments);
+    void* arguments[] = {view.argument(), &first, &count};
+    device_->launch(view.name(), n * cuda::warp, arguments);
 }
 
 void LoopsOnDevice::exchange(const Halo& halo, void* values, std::size_t bytes) {

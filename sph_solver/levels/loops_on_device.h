@@ -12,11 +12,11 @@ class LoopsOnDevice : public DeviceLoops {
 public:
     explicit LoopsOnDevice(std::shared_ptr<cuda::Device> device)
         : device_(std::move(device)), parts_(*device_), count_(*device_), halo_(*device_), dummies_halo_(*device_) {}
-    void each(const char* kernel, const void* body, std::size_t count) override;
-    double largest(const char* kernel, const void* value, std::size_t count) override;
-    void pairs(const char* kernel, const void* view, std::span<const Cluster> clusters) override;
-    void pairs_where(const char* choose_kernel, const void* condition, std::span<const Cluster> clusters,
-                     Cluster* chosen, const char* kernel, const void* view) override;
+    void each(DeviceKernel body, std::size_t count) override;
+    double largest(DeviceKernel value, std::size_t count) override;
+    void pairs(DeviceKernel view, std::span<const Cluster> clusters) override;
+    void pairs_where(DeviceKernel condition, std::span<const Cluster> clusters, Cluster* chosen,
+                     DeviceKernel view) override;
     std::unique_ptr<RoomOnDevice> make_room() override;
     void exchange(const Halo& halo, void* values, std::size_t bytes) override;
     /// Of the particles and of the dummies, from now on.

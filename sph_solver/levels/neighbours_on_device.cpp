@@ -297,12 +297,11 @@ void LevelOnDevice::ask_walls(std::size_t clusters) {
     });
     on.walls_found.upload(found);
     cuda::launch(*device_, cuda::PutWalls{on.walls_found.data(), on.p.all()}, asked);
-    if (shared()) {
-        HaloOnDevice& halo = loops_.halo();
-        halo.exchange({of_each(on.p.wall_normal.data()), of_each(on.p.wall_leaving.data())});
-        if (level_.walls.move()) halo.exchange({of_each(on.p.wall_body.data())});
-        if (level_.walls.any_deformable()) halo.exchange({of_each(on.p.wall_triangle.data())});
-    }
+    if (shared())
+        FieldsView::each(on.p, level_.particles, [&](const auto& field, const auto&, auto about) {
+            if constexpr (decltype(about)::of_walls)
+                if (level_.particles.has(decltype(about)::had_with)) loops_.halo().exchange({of_each(field.data())});
+        });
     std::optional<std::size_t> through;
     for (std::size_t k = 0; k < asked; ++k)
         if (found[k].index >= 0 && double(found[k].wall.normal.distance) < -level_.setup.dp && is_active(near[k].kind))

@@ -84,9 +84,10 @@ void LevelOnProcessor::find_normals() {
             near.note(all, i);
         }
     });
-    share_.halo().exchange(all.wall_normal, all.wall_leaving);
-    if (level_.walls.move()) share_.halo().exchange(all.wall_body);
-    if (level_.walls.any_deformable()) share_.halo().exchange(all.wall_triangle);
+    FieldsView::each(all, all, [&](auto* field, const auto*, auto about) {
+        if constexpr (decltype(about)::of_walls)
+            if (p.has(decltype(about)::had_with)) share_.halo().exchange(field);
+    });
     std::optional<std::size_t> through;
     for (std::size_t i = p.size(); i-- > 0 && !through;)
         if (double(p.wall_normal[i].distance) < -level_.setup.dp && is_active(p.kind[i])) through = i;

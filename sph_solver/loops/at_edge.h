@@ -31,18 +31,18 @@ struct TakeGiving {
     const PackedPlace* place;
     const PackedVelocityDensity* motion;
     const PackedShiftSupport* shift;
-    const float* density_rate;  ///< null: there is none, and it is not asked for
+    const float* density_rate;  ///< null: there is none, and it is not asked for [kg/m3/s]
     const Kind* kind;
     const Link* links;
     std::size_t n;  ///< particles; images are those of `links`
     Giving of;
-    double density_before;  ///< of Asking
+    double density_before;  ///< of Asking [s]
     SurfaceExcess without;
     double row;  ///< Level::density_of_row [kg/m3]
     PackedPlace* to_place;
     PackedVelocityDensity* to_motion;
-    float* known_support;  ///< null: it is not asked for, and nothing is taken off
-    float* rate;           ///< null: it is not asked for
+    float* known_support;  ///< null: it is not asked for, and nothing is taken off [-]
+    float* rate;           ///< null: it is not asked for [kg/m3/s]
 
     std::size_t source_of(std::size_t i) const { return i < n ? i : static_cast<std::size_t>(links[i - n].index); }
     bool counts(std::size_t i) const {
@@ -142,7 +142,7 @@ struct FollowFiner {
     StateView p{};
     const Kind* kind = nullptr;
     const PackedShiftSupport* shift = nullptr;
-    float* compression = nullptr;
+    float* compression = nullptr;  ///< [kg/m3/s]
     SurfaceExcess excess{};
     double row = 0;    ///< of the particle's level [kg/m3]
     V3<float> fall{};  ///< what the velocity of one that has no water near changes by [m/s]

@@ -23,7 +23,7 @@ struct KindCounts {
 /// Adds a particle to them.
 struct CountKinds {
     const Kind* kind;
-    const double* x;
+    const double* x;     ///< [m]
     double first, last;  ///< where inlet and outlet are [m]
     KindCounts* counts;
     const char* own = nullptr;  ///< which of them count; null: all

@@ -8,7 +8,7 @@ namespace tw {
 
 /// Which faces of the domain are open and which are planes, of one axis after another.
 struct Faces {
-    double low[3], high[3];
+    double low[3], high[3];  ///< [m]
     bool mirror[3][2] = {};  ///< [axis][0 low, 1 high]
     bool periodic[3] = {};
 };
@@ -17,7 +17,7 @@ struct Faces {
 struct CrossOpenings {
     double x_min, x_max;  ///< the planes [m]
     double buffer;        ///< length of the water beyond them [m]
-    double dp;
+    double dp;            ///< [m]
 
     enum class Outcome { stays, enters, leaves };
     Outcome operator()(double x, Kind& kind) const {

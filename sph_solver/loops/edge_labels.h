@@ -17,8 +17,8 @@ namespace tw {
 struct AskEdge {
     static constexpr int most_limits = 5;
     double limits[most_limits];  ///< [m]; infinite where there are fewer
-    double steepest;             ///< of Zone
-    double by, turn;             ///< how far the edge has come, sums of Zone::Shift since the start
+    double steepest;             ///< of Zone [-]
+    double by, turn;             ///< how far the edge has come, sums of Zone::Shift since the start [m], [rad]
     V3<double> pivot;            ///< of the zone [m]
 
     bool knows(const V3<double>& x, const EdgeDistance& known) const {

@@ -16,8 +16,8 @@ struct Link {
 struct LinkMap {
     std::int64_t offset[3] = {},
                  turn[3] = {};  ///< x' = offset + x, or offset - x where `turn` is -1 [fixed-point units]
-    float sign[3] = {1, 1, 1};  ///< of vectors
-    float held[3] = {1, 1, 1};  ///< of velocities against the walls that hold the water, see Law::held
+    float sign[3] = {1, 1, 1};  ///< of vectors [-]
+    float held[3] = {1, 1, 1};  ///< of velocities against the walls that hold the water, see Law::held [-]
     bool repeats[3] = {};       ///< moved by the domain's length: a periodic flow has the same pressure one length on
 
     WidePlace place(const WidePlace& p) const { return {coordinate(p.x, 0), coordinate(p.y, 1), coordinate(p.z, 2)}; }

@@ -11,7 +11,7 @@ namespace tw {
 /// From places in metres to those that the pair loops see, see FixedPoint.
 struct ToFixedPoint {
     double x, y, z;    ///< origin [m]
-    double per_metre;  ///< fixed-point units
+    double per_metre;  ///< fixed-point units [1/m]
     float mass, rho0;  ///< of a particle [kg], [kg/m3]
 
     WidePlace wide(double px, double py, double pz) const {

@@ -11,17 +11,17 @@ namespace tw {
 
 /// Its state at the step's begin.
 struct StageStart {
-    double x, y, z;
-    float u, v, w, drho;
+    double x, y, z;       ///< [m]
+    float u, v, w, drho;  ///< [m/s], [kg/m3]
 };
 /// Velocity and rates, weighted over the stages.
 struct StageMean {
-    double u, v, w, ax, ay, az, drho;
+    double u, v, w, ax, ay, az, drho;  ///< [m/s], [m/s2], [kg/m3/s]
 };
 
 struct NoteCompression {
     const PackedRate* rate;
-    float* compression;
+    float* compression;  ///< -rho div u [kg/m3/s]
 
     void operator()(std::size_t i) const { compression[i] = rate[i].drho; }
 };
@@ -34,7 +34,7 @@ struct GoToStage {
     const PackedRate* rate;
     double since;                  ///< [s]
     double stream, stream_before;  ///< its velocity now, and at the step's begin [m/s]
-    double outlet_share;           ///< of Move
+    double outlet_share;           ///< of Move [-]
 
     void operator()(std::size_t i) const {
         const StageStart& from = start[i];
@@ -68,7 +68,7 @@ struct AddStage {
     StageMean* mean;
     const float* compression;  ///< -rho div u of this stage [kg/m3/s]
     float* diffusion;          ///< D of the first stage, which serves all [kg/m3/s]; null: each has its own
-    double weight;
+    double weight;             ///< of the stage [-]
     bool first;
 
     void operator()(std::size_t i) const {

@@ -14,7 +14,7 @@ struct LacksSupport {
     const Kind* kind;
     const Trend* trend;  ///< null: there are no buffer particles
     const PackedShiftSupport* shift;
-    double surface_support;  ///< of LevelSetup
+    double surface_support;  ///< of LevelSetup [-]
 
     bool operator()(std::size_t i) const {
         const bool buffer = trend && kind[i] == Kind::buffer;

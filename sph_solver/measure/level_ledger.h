@@ -13,7 +13,7 @@ struct LevelLedger {
     double spacing = 0, dt = 0;                                     ///< [m], [s]
     std::int64_t active = 0, buffers = 0, overlap = 0, slaves = 0;  ///< see Kind
     Refinement::Ledger edge = {};
-    double mass_drift = 0;  ///< of its zone, as a share of the zone's mass
+    double mass_drift = 0;  ///< of its zone, as a share of the zone's mass [-]
     double seconds = 0;     ///< wall time that its pair loops and lists have taken, without interpolation at edges [s]
 };
 /// Of the water of each size, coarsest first.

@@ -17,8 +17,8 @@ struct Picture {
     /// Active particles of one material, or a surface.
     struct Cloud {
         std::string name;
-        double time;
-        std::vector<Vec3> places;
+        double time;               ///< [s]
+        std::vector<Vec3> places;  ///< [m]
         std::vector<Field> fields;
     };
     struct OfSurface {
@@ -26,7 +26,7 @@ struct Picture {
         Surface surface;
         std::vector<Field> fields;
     };
-    double time = 0;
+    double time = 0;  ///< [s]
     std::vector<Cloud> clouds;
     std::vector<OfSurface> surfaces;
     RunRecord water;  ///< with the last frame of the raster, and what its surface is drawn by

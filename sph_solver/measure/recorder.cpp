@@ -18,9 +18,9 @@
 #include "sph_solver/air.h"
 #include "sph_solver/bodies/rigid_in_water.h"
 #include "sph_solver/equations/half_space.h"
-#include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/packing.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/measure/water_energy.h"
 #include "sph_solver/measure/water_raster.h"
 
@@ -86,7 +86,10 @@ double work_up_to(const Table& t, std::size_t row) {
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord record)
-    : scene_(scene), record_(std::move(record)), factor_(scene.symmetry_factor()), gauges_(scene, simulation.setup()) {
+    : scene_(scene),
+      record_(std::move(record)),
+      factor_(scene.symmetry_factor()),
+      height_probes_(scene, simulation.setup()) {
     const SimulationSetup& s = simulation.setup();
     if (scene.hull) {
         Box region = scene.hull->surface.bounds();
@@ -238,7 +241,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
             t.set(k, "friction_line", per_span("N"), friction_by_line(scene_, area, length));
     }
     record_walls(simulation, k);
-    gauges_.record(simulation, record_);
+    height_probes_.record(simulation, record_);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
     record_levels(simulation);
 }

@@ -4,7 +4,7 @@
 #include "record/run_record.h"
 #include "scene/scene.h"
 #include "sph_solver/bodies/samples.h"
-#include "sph_solver/measure/height_gauges.h"
+#include "sph_solver/measure/height_probes.h"
 #include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/measure/tank_balance.h"
 #include "sph_solver/simulation.h"
@@ -50,7 +50,7 @@ private:
     };
     std::vector<SampledSolid> solids_;
     PointSamples pressure_points_;
-    HeightGauges gauges_;
+    HeightProbes height_probes_;
     Vec3 momentum_ = Vec3::Zero();  ///< in the control volume at the last frame
     bool momentum_known_ = false;
     bool volume_held_ = true;  ///< since then, by particles of its size

@@ -24,7 +24,7 @@ public:
     struct Expected {
         double speed = 0;     ///< v [m/s]; 0: not known, energy is not watched
         double duration = 0;  ///< [s]
-        double steps = 0;     ///< predicted for all of it; 0: not said
+        double steps = 0;     ///< predicted for all of it; 0: not said [-]
     };
     explicit RunWatch(const Expected& expected) : expected_(expected) {}
 

@@ -65,7 +65,7 @@ private:
 };
 
 /// All ranks have what the first one has.
-SprayGate::Leaving told_by_first(const Comm& ranks, SprayGate::Leaving own) {
+SprayGate::Leaving leaving_of_first(const Comm& ranks, SprayGate::Leaving own) {
     if (!ranks.many()) return own;
     struct Lump {
         std::array<double, 3> place, velocity;
@@ -103,7 +103,7 @@ std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
         const AllParticles all(simulation);
         ranks.on_first([&] { find(simulation, all, leaving); });
     }
-    leaving = told_by_first(ranks, std::move(leaving));
+    leaving = leaving_of_first(ranks, std::move(leaving));
     for (std::size_t k = 0; k < leaving.sizes.size(); ++k)
         if (auto& [ids, active] = leaving.sizes[k]; !ids.empty()) simulation.level(k).take_out(std::move(ids), active);
     return leaving.lumps;

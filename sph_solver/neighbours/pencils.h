@@ -23,7 +23,7 @@ namespace tw {
 struct FixedPoint {
     Vec3 origin = Vec3::Zero();
     double size = 1;       ///< [m]
-    double per_metre = 1;  ///< 1 / size
+    double per_metre = 1;  ///< 1 / size [1/m]
     FixedPoint() = default;
     FixedPoint(const Vec3& at, double metres) : origin(at), size(metres), per_metre(1 / metres) {}
     std::int64_t wide(double x, int axis) const { return std::llrint((x - origin[axis]) * per_metre); }

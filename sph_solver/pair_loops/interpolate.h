@@ -17,9 +17,9 @@ struct InterpolateData {
     const float* known_support = nullptr;    ///< Shepard sum at each of the particles [-]; may be null
     PackedVelocityDensity* value = nullptr;  ///< at the places
     float* support = nullptr;                ///< sum_j V_j W_j [-]
-    float* mean_support = nullptr;           ///< mean of `known_support`
-    const float* rate = nullptr;             ///< another field of the particles; may be null
-    float* compression = nullptr;            ///< that field at the places
+    float* mean_support = nullptr;           ///< mean of `known_support` [-]
+    const float* rate = nullptr;   ///< another field of the particles, as the density rate [kg/m3/s]; may be null
+    float* compression = nullptr;  ///< that field at the places [kg/m3/s]
     float gx = 0, gy = 0, gz = 0;            ///< slope of the hydrostatic density, rho0 g / c0^2 [kg/m4]
 };
 

@@ -8,7 +8,7 @@ namespace tw {
 struct MeetOtherData {
     WaterView water{}, other{};
     Lists list{};        ///< neighbours of `water` in `other`
-    float inv_W_dp = 0;  ///< 1 / W(dp)
+    float inv_W_dp = 0;  ///< 1 / W(dp) [m3]
     OtherSums* sums = nullptr;
 };
 /// What the other level adds to the rates.
@@ -17,8 +17,8 @@ struct PressOtherData {
     Lists list{};
     const PackedShiftSupport* shift = nullptr;
     PackedRate* rate = nullptr;
-    float viscosity = 0;  ///< of the pair, see SecondPairLoopData
-    float tension_control_from = 2;
+    float viscosity = 0;             ///< of the pair, see SecondPairLoopData [kg/m2/s]
+    float tension_control_from = 2;  ///< see SecondPairLoopData [-]
 };
 
 #define TW_PAIR_PAIR_LOOPS(pair_loop) pair_loop(tw_meet_other, MeetOtherData) pair_loop(tw_press_other, PressOtherData)

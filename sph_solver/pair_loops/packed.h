@@ -41,7 +41,7 @@ struct alignas(16) PackedRate {
 /// What the walls of one body do to one cluster, per unit of particle mass: sum of the accelerations, and of arm x
 /// acceleration about the cluster's centre (pair forces are central, so the arm may end at the fluid particle).
 struct WallLoad {
-    float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;
+    float ax = 0, ay = 0, az = 0, mx = 0, my = 0, mz = 0;  ///< [m/s2], [m2/s2]
     std::int32_t body = 0;
 };
 /// Velocity of the solid at a dummy [m/s].
@@ -68,7 +68,7 @@ struct alignas(16) PackedLeaving {
 /// How much of the pressure the pair forces carry from a particle: m = sum_j r_ji (x) grad_i W_ij V_j. In the continuum
 /// it is the unit tensor; among particles the momentum flux is the sum of V p m over those in a volume, not p of it.
 struct CarriedShare {
-    float xx, xy, xz, yy, yz, zz;
+    float xx, xy, xz, yy, yz, zz;  ///< [-]
 };
 
 }  // namespace tw

@@ -71,7 +71,7 @@ inline WallLoad load_of(const WaterView& d, const Own& own, const V3<Real>& a, s
 }
 
 /// A cluster's list for sums that only its particles' rates want: empty where none of them follows the equations.
-/// Buffer particles, carried particles and those of inlet and outlet are a quarter to a half of all beside a hull.
+/// Buffer, slave particles and those of inlet and outlet are a quarter to a half of all beside a hull.
 inline ListRef list_for_rates(const WaterView& d, const Cluster& g) {
     bool moved = d.kind == nullptr;
     for (int l = 0; l < g.size && !moved; ++l) moved = follows_the_equations(d.kind[g.first + l]);

@@ -12,7 +12,7 @@ namespace {
 /// Lengths in 2h, and volumes as G V, see Kernel.
 struct Frame {
     float length;  ///< per fixed-point unit [1/(2h)]
-    float volume;  ///< per m3
+    float volume;  ///< per m3 [1/m3]
 };
 inline Frame frame_of(const Kernel& kernel, float unit) { return {unit * kernel.inv_support, kernel.G}; }
 

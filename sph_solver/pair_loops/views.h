@@ -24,7 +24,7 @@ struct WaterView {
     const Kind* kind = nullptr;
     Kernel kernel{};
     float unit = 1;  ///< a fixed-point unit [m]
-    float rho0 = 1000;
+    float rho0 = 1000;   ///< [kg/m3]
     float inv_mass = 1;  ///< of a particle [1/kg]
     bool two_dimensional = false;
 };
@@ -33,7 +33,7 @@ struct WaterView {
 struct WallView {
     Lists list{};                        ///< Cluster::wall_list
     const PackedPlace* place = nullptr;  ///< null: the pair loop meets none
-    const float* p = nullptr;
+    const float* p = nullptr;            ///< pressure of the dummies [Pa]
     const WallVelocity* velocity = nullptr;  ///< null: all walls are at rest
     /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
     /// cluster's wall blocks are ordered by body, none has dummies of two.
@@ -60,11 +60,11 @@ struct FirstPairLoopData {
     PackedShiftSupport* shift = nullptr;
     PackedRate* rate = nullptr;       ///< gets drho = -rho div u
     CarriedShare* carried = nullptr;  ///< may be null
-    float inv_W_dp = 0;               ///< 1 / W(dp)
+    float inv_W_dp = 0;               ///< 1 / W(dp) [m3]
     float fastest_shift = 0;          ///< c0 / 10 [m/s], see Shifting
     float inv_dp = 0;                 ///< [1/m]
-    float inv_void = 10;              ///< 1 / (1 - touch_support), see WallCompleteness
-    float surface_support = 0;        ///< of LevelSetup
+    float inv_void = 10;              ///< 1 / (1 - touch_support), see WallCompleteness [-]
+    float surface_support = 0;        ///< of LevelSetup [-]
     float given_back = 0;             ///< [m], a of WaterCompleteness
 };
 
@@ -93,10 +93,10 @@ struct ExtrapolateData {
     const PackedPlace* at = nullptr;                 ///< the points
     const WallAcceleration* acceleration = nullptr;  ///< of the points; null: at rest
     float* p = nullptr;                              ///< [Pa]
-    float* support = nullptr;                        ///< sum_j V_j W_ij; may be null
+    float* support = nullptr;                        ///< sum_j V_j W_ij; may be null [-]
     const CarriedShare* carried = nullptr;           ///< of the particles; may be null
     float* flux = nullptr;  ///< 6 per point, as those of CarriedShare: sum_j p_j m V_j W [Pa]; needs `carried`
-    float gx = 0, gy = 0, gz = 0;
+    float gx = 0, gy = 0, gz = 0;  ///< body force [m/s2]
 };
 
 }  // namespace tw

@@ -58,7 +58,7 @@ public:
     std::size_t received() const;  ///< things that are copies
 
     // --- for things that a device has: it packs them and unpacks them itself
-    bool tells_nobody() const { return partners_.empty(); }
+    bool has_no_partners() const { return partners_.empty(); }
     /// Which things the messages carry, one message behind the other; and those of the messages that come.
     std::vector<std::int32_t> all_sent() const { return all(&Partner::send); }
     std::vector<std::int32_t> all_received() const { return all(&Partner::receive); }

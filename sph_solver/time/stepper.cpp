@@ -224,7 +224,7 @@ void Stepper::move_bodies(const RefinementLevel& refinement_level, const Schedul
 }
 
 void Stepper::give_impulses(const Level::Impulses& impulses) {
-    for (const WallImpulse& strike : impulses.places) bodies_[strike.body]->take_impulse(strike);
+    for (const WallImpulse& impulse : impulses.places) bodies_[impulse.body]->take_impulse(impulse);
     for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b]->take_impulse(impulses.bodies[b]);
 }
 

@@ -31,7 +31,7 @@ void CentralDifference::set_displacement(const Eigen::VectorXd& u_all) {
 
 void CentralDifference::set_velocity(const Eigen::VectorXd& v_all) { state_.v = unknowns(basis_, v_all); }
 
-void CentralDifference::strike(const Eigen::VectorXd& impulse_all) {
+void CentralDifference::add_impulse(const Eigen::VectorXd& impulse_all) {
     state_.v += inertia_.solve(basis_.transpose() * impulse_all);
 }
 

@@ -27,7 +27,7 @@ public:
     void set_displacement(const Eigen::VectorXd& u_all);  ///< of all degrees of freedom [m]
     void set_velocity(const Eigen::VectorXd& v_all);      ///< of all degrees of freedom [m/s]
     /// An impulse on all degrees of freedom [N s], at once.
-    void strike(const Eigen::VectorXd& impulse_all);
+    void add_impulse(const Eigen::VectorXd& impulse_all);
     /// Over `interval` [s] in equal sub-steps no longer than `longest` [s]; returns their number. Throws RunError with
     /// the time when the state is no longer finite.
     int advance(double interval, double longest);

@@ -115,7 +115,7 @@ public:
     double strain(std::size_t gauge) const;                           ///< [-]
     /// Of a rigid part, or of node sets alike: displacement, velocity and, over the last step, acceleration.
     struct PartMotion {
-        Vec3 displacement, velocity, acceleration;
+        Vec3 displacement, velocity, acceleration;  ///< [m], [m/s], [m/s2]
     };
     PartMotion part(std::size_t part) const;
 

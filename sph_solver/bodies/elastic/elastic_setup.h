@@ -25,7 +25,7 @@ struct ElasticShell {
     double skin = 0;
     bool large_rotations = true;
     /// Of linear shells: share of its amplitude that an infinitely fast mode keeps each step (1: energy is kept).
-    double kept = 1;
+    double kept = 1;  ///< [-]
 };
 
 /// A rigid floor that a solid meets without friction (structure/solid/plane_contact.h).
@@ -42,7 +42,7 @@ struct ElasticSolid {
     std::string pressed = {};
     double pressure = 0;  ///< that follows the surface `pressed`, none if 0 [Pa]
     std::optional<FloorContact> floor = {};
-    double of_limit = 0.7;  ///< sub-steps, of the explicit limit at the start: strain lowers it
+    double of_limit = 0.7;  ///< sub-steps, of the explicit limit at the start: strain lowers it [-]
 };
 
 /// What an elastic body is made from, and what holds or carries it.

@@ -39,7 +39,7 @@ struct PenaltyContact {
         nonlinear,  ///< 1 / (1 - s), for s up to 0.95: nothing gets through
         adaptive    ///< 1 + (s / 0.1)^2: stiff enough to keep the penetration near a tenth of the reach
     } law = Law::linear;
-    double factor = 0.01;  ///< of the stiffness k = factor K dp, K the bulk modulus of real water
+    double factor = 0.01;  ///< of the stiffness k = factor K dp, K the bulk modulus of real water [-]
 };
 Interface penalty_interface(const PenaltyContact& contact);
 

@@ -47,7 +47,7 @@ public:
     double step_within(double dt) const override { return dt; }
     VectorXd step(double kick, double drift, const VectorXd& load) override {
         const VectorXd before = time_.velocity();
-        time_.strike(kick * load);
+        time_.add_impulse(kick * load);
         const VectorXd way = kick / 2 * (before + time_.velocity());
         const VectorXd found = time_.displacement();
         time_.advance(drift, longest_);

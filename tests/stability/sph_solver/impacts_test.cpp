@@ -10,7 +10,7 @@
 #include "meshes/generate.h"
 #include "meshes/query.h"
 #include "record/certificate.h"
-#include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "watched_run.h"
 
 namespace tw {

@@ -13,7 +13,7 @@
 #include "sph_solver/choose_passes.h"
 #include "sph_solver/effects/surface_tension.h"
 #include "sph_solver/effects/viscosity.h"
-#include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "record/certificate.h"
-#include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw {

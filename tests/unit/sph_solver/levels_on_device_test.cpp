@@ -7,8 +7,8 @@
 #include "meshes/generate.h"
 #include "on_device.h"
 #include "sph_solver/effects/ventilation.h"
-#include "sph_solver/measure/certificate.h"
 #include "sph_solver/measure/level_ledger.h"
+#include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/state/checkpoint.h"
 #include "three_levels.h"
 

@@ -1,4 +1,4 @@
-#include "sph_solver/measure/certificate.h"
+#include "sph_solver/measure/validity_checks.h"
 
 #include <algorithm>
 #include <cmath>

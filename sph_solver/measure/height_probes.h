@@ -16,21 +16,21 @@ namespace tw {
 /// volume that the particles have at their density; the factor makes of it that of incompressible water: without it the
 /// floor's pressure would lower the surface by rho0 g H^2 / (2 rho0 c0^2), 0.25 % of the depth. Walls of the tank need
 /// none of that: the water's mirror images count in S.
-class HeightGauges {
+class HeightProbes {
 public:
     /// `scene` must outlive it.
-    HeightGauges(const Scene& scene, const SimulationSetup& setup);
+    HeightProbes(const Scene& scene, const SimulationSetup& setup);
     /// Adds a row of the present time to the record's table of heights, where the scene has such probes.
     void record(Simulation& simulation, RunRecord& record);
 
 private:
-    std::vector<Stretch> solids_at(const Simulation& simulation, const HeightProbe& gauge) const;
+    std::vector<Stretch> solids_at(const Simulation& simulation, const HeightProbe& probe) const;
 
     const Scene& scene_;
     Stretch line_;
     double step_ = 0;       ///< [m]
     double stiffness_ = 0;  ///< rho0 c0^2 [Pa]; infinite where the weight of water at rest is no pressure of particles
-    std::size_t per_gauge_ = 0;
+    std::size_t per_probe_ = 0;
     PointSamples points_;
 };
 

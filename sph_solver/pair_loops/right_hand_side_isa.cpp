@@ -1,4 +1,5 @@
-// The engine's own pair loops, once per variant.
+// The sums of the right-hand side, the wall pressure and the neighbour search, compiled once per variant of a processor
+// and, by cuda/kernels.cpp, for a GPU.
 #include "sph_solver/pair_loops/extrapolate.h"
 #include "sph_solver/pair_loops/right_hand_side.h"
 #ifdef TW_THREADS

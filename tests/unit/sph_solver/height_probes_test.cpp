@@ -5,13 +5,13 @@
 #include "tests/run_of.h"
 
 namespace tw {
-namespace height_gauges_test {
+namespace height_probes_test {
 
-TEST(HeightGauges, KnowTheSolidsThatStandInStillWater) {
-    const RunRecord record = run_of(height_gauge_scene, "height_gauges_test");
+TEST(HeightProbes, KnowTheSolidsThatStandInStillWater) {
+    const RunRecord record = run_of(height_gauge_scene, "height_probes_test");
     // The kernel's support alone, which a solid's face halves, is 8 mm short over the bar and 4 mm more beside it.
     expect_heights(record, 1e-3);
 }
 
-}  // namespace height_gauges_test
+}  // namespace height_probes_test
 }  // namespace tw
