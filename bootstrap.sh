@@ -18,8 +18,13 @@ build_packages=(
 # interFoam, and what its mended build from the distribution's source package takes (tools/build_openfoam_solvers.sh).
 openfoam_packages=(openfoam dpkg-dev flex)
 # A Slurm on one host, for the tests of studies on a cluster; without it they are skipped. Clang with its libFuzzer and
-# its OpenMP, for tools/fuzz.sh. h5py, for the tests of the Python package.
-test_packages=(slurm-wlm munge clang libclang-rt-dev libomp-dev python3-h5py python3-numpy)
+# its OpenMP, for tools/fuzz.sh. For the tests of the Python package: h5py, xarray; what films and the gallery are drawn
+# with; and a display in memory for ParaView, which tools/unpack_paraview.sh fetches (73 MB), since Debian cannot install
+# it beside libvtk9-dev.
+test_packages=(
+    slurm-wlm munge clang libclang-rt-dev libomp-dev
+    python3-h5py python3-numpy python3-xarray python3-matplotlib python3-pil ffmpeg xvfb
+)
 # ---------------------------------------------------------------------------------------------------------------------
 
 usage() {
@@ -187,6 +192,13 @@ provide_openfoam() {
     openfoam_is_sound || { build/twinwake doctor || true; die "no sound OpenFOAM after the build, see above"; }
 }
 
+# ParaView, for the test of its script; what cannot be had skips that test.
+provide_paraview() {
+    if [ "$may_install" = 1 ] && ! command -v pvpython >/dev/null; then
+        tools/unpack_paraview.sh .paraview || echo "note: no ParaView: the test of tools/paraview_both.py is skipped"
+    fi
+}
+
 # --- commands --------------------------------------------------------------------------------------------------------
 
 run_tests() {
@@ -208,6 +220,7 @@ run_demo() {
 }
 
 if [ "$may_install" = 1 ]; then install_packages; fi
+if [ "$command" = test ] || [ "$command" = deps ]; then provide_paraview; fi
 [ "$command" != deps ] || exit 0
 build_twinwake
 provide_openfoam

@@ -136,7 +136,8 @@ void add_site(CLI::App& c, SubmitOptions& submit) {
 // ---- one function a subcommand, in the order of the table
 
 void new_options(CLI::App& c, NewCommand& create) {
-    c.add_option("template", create.kind, "hull (your own), planing, seaplane, tank, waves, body")
+    c.add_option("template", create.kind, templates_in_words())
+        ->type_name("TEMPLATE")
         ->required()
         ->check(CLI::IsMember(template_names()));
     c.add_option("file", create.file, "scene file to write")->required();
@@ -392,7 +393,9 @@ void setup_openfoam_options(CLI::App& c, SetupOpenfoamCommand& setup) {
 
 void film_options(CLI::App& c, FilmCommand& film) {
     c.add_option("run", film.run, "folder of a run, or of one method's")->required();
-    c.add_option("-o,--out", film.out, "file: .mp4 or .webm (need ffmpeg), or .gif; RUN/film.mp4 unless given");
+    c.add_option("-o,--out", film.out,
+                 "file: .mp4 or .webm (need ffmpeg), or .gif (needs no other program). Unless given: RUN/film.mp4, or "
+                 "RUN/film.gif where there is no ffmpeg");
     c.add_option("--seconds", film.seconds, "how long the film lasts; 10 unless given")->check(CLI::Range(0.1, 600.0));
     c.add_flag("--overwrite", film.overwrite, "replace a film that is there");
 }

@@ -42,6 +42,12 @@ Cells split(std::string_view line, char separator) {
     if (cells.size() > 1 && cells.back().empty()) cells.pop_back();  // a separator behind the last cell
     return cells;
 }
+/// The same of a row below names of so many columns: there a separator may stand before an empty last cell.
+Cells row_of(std::string_view line, char separator, std::size_t columns) {
+    Cells cells = split(line, separator);
+    if (cells.size() + 1 == columns && trimmed(line).ends_with(separator)) cells.emplace_back();
+    return cells;
+}
 
 bool is_number(std::string_view cell, char point) {
     std::string text(cell);
@@ -105,6 +111,11 @@ struct Reading {
     bool comma_is_sure = false;  ///< of decimal commas: not what thousands would look like as well
 };
 
+std::string as_text(const Reading& r) {
+    return fmt::format("{} columns separated by {}s with decimal {}s", r.columns, r.separator.name,
+                       r.point == ',' ? "comma" : "point");
+}
+
 class Finder {
 public:
     Finder(const std::string& text, const std::string& file, const LoggerForm& form) : file_(file), form_(form) {
@@ -155,7 +166,7 @@ public:
                 out.text += '#';
                 continue;
             }
-            const Cells cells = split(lines_[k].text, r.separator.sign);
+            const Cells cells = row_of(lines_[k].text, r.separator.sign, r.columns);
             for (std::size_t c = 0; c < cells.size(); ++c) {
                 out.text += c ? "," : "";
                 const auto seconds = form_.clock == "none" ? std::nullopt : seconds_of(cells[c], clock_parts_);
@@ -180,15 +191,17 @@ public:
         if (r.point == ',' || r.units || !r.names || above(*r.names) || above(r.first) != r.names) return false;
         return r.separator.sign == separator_of(lines_[*r.names].text) && !has_clock(r);
     }
-    /// Above the names of the columns: a row of nothing but numbers, so that the names are none.
-    bool lost_a_row(const Reading& r) const {
-        for (auto k = r.names ? above(*r.names) : std::nullopt; k; k = above(*k)) {
-            const Cells cells = split(lines_[*k].text, r.separator.sign);
-            if (cells.size() == r.columns &&
-                std::ranges::all_of(cells, [&](const std::string& c) { return is_value(c, r.point); }))
-                return true;
+    /// Throws where a line among the rows has another number of cells. One with as many is for whoever reads its cells.
+    void refuse_odd_lines(const Reading& r) const {
+        for (std::size_t k = r.first; k < lines_.size(); ++k) {
+            const std::size_t cells = row_of(lines_[k].text, r.separator.sign, r.columns).size();
+            if (!lines_[k].blank && cells != r.columns)
+                throw InputError(fmt::format(
+                    "{}:{}: {}, {} cell{}, found below line {}, where the table begins, of {}; expected a row of as "
+                    "many cells (# before a line leaves it out)",
+                    file_, k + 1, shown_cell(trimmed(lines_[k].text)), cells, cells == 1 ? "" : "s", r.first + 1,
+                    as_text(r)));
         }
-        return false;
     }
 
     [[noreturn]] void fail(const char* key, const std::string& what) const {
@@ -231,20 +244,50 @@ private:
         return {};
     }
 
+    /// Of each cell of a row whether it is a value, a word or empty: "vwe". Nothing of what is no row.
+    std::string form_of(const Cells& cells, char point) const {
+        if (cells.size() < 2 || !is_row(cells, cells.size(), point)) return {};
+        std::string form;
+        for (const std::string& cell : cells) form += cell.empty() ? 'e' : is_value(cell, point) ? 'v' : 'w';
+        return form;
+    }
+    /// Whether a row is of this form; an empty cell fits any.
+    static bool fits(const std::string& row, const std::string& form) {
+        return std::ranges::equal(row, form, [](char a, char b) { return a == b || a == 'e' || b == 'e'; });
+    }
+
+    /// The table is what the rows of one form are that hold the most numbers: it begins with the first of them, and with
+    /// rows of as many cells right above that. What stands among them does not end it.
     std::optional<Reading> read(const Separator& separator, char point) const {
-        std::size_t end = lines_.size();
-        while (end > 0 && lines_[end - 1].blank) --end;
-        if (end == 0) return {};
-        Reading r;
-        r.separator = separator, r.point = point, r.last = end - 1;
-        r.columns = split(lines_[r.last].text, separator.sign).size();
-        if (r.columns < 2 || !is_row(split(lines_[r.last].text, separator.sign), r.columns, point)) return {};
-        r.first = r.last;
         const std::size_t top = form_.header_line ? static_cast<std::size_t>(*form_.header_line) : 0;
-        for (auto k = above(r.last); k && *k >= top; k = above(*k)) {
-            if (!is_row(split(lines_[*k].text, separator.sign), r.columns, point)) break;
-            r.first = *k;
+        const auto form_in = [&](std::size_t k, std::size_t columns) {
+            return lines_[k].blank ? "" : form_of(row_of(lines_[k].text, separator.sign, columns), point);
+        };
+        Reading r;
+        r.separator = separator, r.point = point;
+        std::map<std::size_t, std::ptrdiff_t> by_columns;  // numbers in the rows of so many cells
+        for (std::size_t k = top; k < lines_.size(); ++k) {
+            const std::string form = form_in(k, 0);
+            const auto values = std::ranges::count(form, 'v');
+            if (values < 2) continue;  // a time and a quantity
+            by_columns[form.size()] += values;
+            if (trimmed(lines_[k].text).ends_with(separator.sign)) by_columns[form.size() + 1] += values;
         }
+        if (by_columns.empty()) return {};
+        const auto numbers = [](const auto& rows) { return rows.second; };
+        r.columns = std::ranges::max_element(by_columns, {}, numbers)->first;
+        std::map<std::string, std::ptrdiff_t> by_form;
+        for (std::size_t k = top; k < lines_.size(); ++k)
+            if (const std::string form = form_in(k, r.columns); form.size() == r.columns)
+                by_form[form] += std::ranges::count(form, 'v');
+        const std::string usual = std::ranges::max_element(by_form, {}, numbers)->first;
+        r.first = top;
+        while (!fits(form_in(r.first, r.columns), usual)) ++r.first;
+        r.last = r.first;
+        for (std::size_t k = r.first + 1; k < lines_.size(); ++k)
+            if (form_in(k, r.columns).size() == r.columns) r.last = k;
+        for (auto k = above(r.first); k && *k >= top && form_in(*k, r.columns).size() == r.columns; k = above(*k))
+            r.first = *k;
         if (point == ',' && !has_decimal_commas(r)) return {};
         find_names(r);
         return r;
@@ -296,11 +339,6 @@ private:
     std::size_t clock_parts_ = 3;
 };
 
-std::string as_text(const Reading& r) {
-    return fmt::format("{} columns separated by {}s with decimal {}s", r.columns, r.separator.name,
-                       r.point == ',' ? "comma" : "point");
-}
-
 }  // namespace
 
 PlainCsv plain_csv(const std::string& text, const std::string& file, const LoggerForm& form) {
@@ -314,13 +352,11 @@ PlainCsv plain_csv(const std::string& text, const std::string& file, const Logge
     for (std::size_t k = 0; k + 1 < found.size(); ++k)
         if (same_cells(found[k], found[k + 1]) && found[k + 1].first <= found[k].first && found[k + 1].comma_is_sure)
             found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
-    if (form.place.empty() && std::ranges::any_of(found, [&](const Reading& r) { return finder.lost_a_row(r); }))
-        return {text, {}, {}};  // a row in its middle is none: whoever reads it says which
     if (found.empty()) {
         if (form.place.empty()) return {text, {}, {}};
         finder.fail(
             form.place.begin()->first.c_str(),
-            fmt::format("no table was found in {} that ends in rows of at least two columns and fits what is said "
+            fmt::format("no table was found in {} that has rows of at least two columns and fits what is said "
                         "of it here; expected other values of separator, decimal, header_line, units_row, clock",
                         file));
     }
@@ -338,6 +374,7 @@ PlainCsv plain_csv(const std::string& text, const std::string& file, const Logge
         finder.fail("decimal",
                     "its numbers, such as 1,234, may have a decimal comma or one of thousands; expected decimal "
                     "= \"comma\" in the mapping, or a file without separators of thousands");
+    finder.refuse_odd_lines(r);
     return finder.is_plain(r) ? PlainCsv{text, {}, {}} : finder.plain(r);
 }
 

@@ -120,8 +120,9 @@ void CsvColumns::read_row(std::string_view line, int number) {
     std::vector<Cell> cells = cells_of(line, separator_);
     if (cells.size() == headers_.size() + 1 && cells.back().text.empty()) cells.pop_back();
     if (cells.size() != headers_.size())
-        throw InputError(fmt::format("{}:{}: {} cell{} found; expected {} as in the header line", file_, number,
-                                     cells.size(), cells.size() == 1 ? "" : "s", headers_.size()));
+        throw InputError(fmt::format("{}:{}: {} cell{} found; expected {} as in the header line (line {}: {})", file_,
+                                     number, cells.size(), cells.size() == 1 ? "" : "s", headers_.size(), header_line_,
+                                     header_list()));
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const std::optional<double> v = number_of(cells[c].text);
         values_[c].push_back(v.value_or(std::numeric_limits<double>::quiet_NaN()));

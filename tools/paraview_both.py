@@ -1,7 +1,9 @@
 """Opens a run in ParaView: water, hull with its pressure and bodies of both methods side by side, one camera for both.
 
     paraview --script=tools/paraview_both.py RUN
-    pvpython tools/paraview_both.py RUN [--picture FILE.png] [--state FILE.pvsm] [--time SECONDS]
+    pvpython tools/paraview_both.py RUN [--picture FILE.png] [--state FILE.pvsm] [--time SECONDS] [--below]
+
+--below looks from under the water, where the pressure on the hull is; the mouse turns both views.
 
 Where ParaView does not hand words on to its scripts: TWINWAKE_RUN=RUN paraview --script=... (docs/PARAVIEW.md).
 ParaView 5.11 or newer. `sources` says what is opened and needs no ParaView.
@@ -14,6 +16,10 @@ import sys
 import tempfile
 
 METHODS = {"sph": "SPH", "fvm": "interFoam"}
+# Colours [red, green, blue] from the lowest to the highest value: of the water's height, of the pressure on the hull.
+WATER = [(0.03, 0.15, 0.40), (0.20, 0.45, 0.75), (0.80, 0.92, 1.00)]
+PRESSURE = [(0.75, 0.75, 0.75), (0.95, 0.75, 0.20), (0.80, 0.05, 0.05)]
+BODY = [0.80, 0.70, 0.50]
 
 
 def sources(run):
@@ -121,7 +127,30 @@ def limits_of(sides, time):
     return (-reach, reach), (0.0, max(min(pressures), 1.0) if pressures else 1.0)
 
 
-def show(run, time=None):
+def coloured(display, array, colours, limits):
+    """Colours what is shown by an array, ("POINTS" or "CELLS", name), evenly between its limits."""
+    from paraview import simple
+
+    simple.ColorBy(display, array)
+    function = simple.GetColorTransferFunction(array[1])
+    low, high = limits
+    function.RGBPoints = [number for i, colour in enumerate(colours)
+                          for number in (low + (high - low) * i / (len(colours) - 1), *colour)]
+    function.ColorSpace = "RGB"
+
+
+def add_legend(view, array, title, place):
+    """A legend of an array's colours on the right of a view; `place`: of its lower end, from 0 (low) to 1 (high)."""
+    from paraview import simple
+
+    bar = simple.GetScalarBar(simple.GetColorTransferFunction(array), view)
+    bar.Visibility = 1
+    bar.Title, bar.ComponentTitle, bar.TitleColor, bar.LabelColor = title, "", [0, 0, 0], [0, 0, 0]
+    bar.TitleFontSize, bar.LabelFontSize, bar.HorizontalTitle = 14, 12, 1
+    bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", [0.80, place], 0.32
+
+
+def show(run, time=None, below=False):
     """Both views; gives the times that there are."""
     files_of = sources(run)
     try:
@@ -140,6 +169,9 @@ def show(run, time=None):
         view = simple.CreateView("RenderView")
         simple.AssignViewToLayout(view=view, layout=layout, hint=0)
         view.ViewTime = time or 0
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1, 1, 1]
+        view.OrientationAxesLabelColor = [0, 0, 0]
         bounds = side["water"].GetDataInformation().GetBounds()
         half = is_half(bounds[2], bounds[3])
 
@@ -151,9 +183,10 @@ def show(run, time=None):
         water = simple.Elevation(Input=shown(side["water"]), LowPoint=[0, 0, heights[0]], HighPoint=[0, 0, heights[1]],
                                  ScalarRange=list(heights))
         display = simple.Show(water, view)
-        simple.ColorBy(display, ("POINTS", "Elevation"))
-        simple.GetColorTransferFunction("Elevation").RescaleTransferFunction(*heights)
-        display.SetScalarBarVisibility(view, place == len(sides) - 1)
+        coloured(display, ("POINTS", "Elevation"), WATER, heights)
+        display.SetScalarBarVisibility(view, False)
+        if place == len(sides) - 1:
+            add_legend(view, "Elevation", "height [m]", 0.06)
         display.Opacity = 0.8
         if side["hull"]:
             hull = shown(side["hull"])
@@ -163,12 +196,14 @@ def show(run, time=None):
                 "pressure" in hull.CellData.keys() else "POINTS"
             name = "pressure" if "pressure" in data.keys() else "p"
             if name in data.keys():
-                simple.ColorBy(display, (kind, name))
-                simple.GetColorTransferFunction(name).RescaleTransferFunction(*pressures)
+                coloured(display, (kind, name), PRESSURE, pressures)
+                display.SetScalarBarVisibility(view, False)
+                if place == len(sides) - 1:
+                    add_legend(view, name, "pressure [Pa]", 0.56)
         for body in side["bodies"]:
-            simple.Show(shown(body), view).DiffuseColor = [0.8, 0.7, 0.5]
+            simple.Show(shown(body), view).DiffuseColor = BODY
         label = simple.Text(Text=METHODS[method])
-        simple.Show(label, view)
+        simple.Show(label, view).Color = [0, 0, 0]
         views.append(view)
     for view in views[1:]:
         simple.AddCameraLink(views[0], view, "both methods")
@@ -177,7 +212,7 @@ def show(run, time=None):
     camera.CameraViewUp = [0, 0, 1]
     focus = list(camera.CameraFocalPoint)
     away = camera.GetActiveCamera().GetDistance()
-    camera.CameraPosition = [focus[0] - 0.5 * away, focus[1] - 0.7 * away, focus[2] + 0.5 * away]
+    camera.CameraPosition = [focus[0] - 0.5 * away, focus[1] - 0.7 * away, focus[2] + (-0.5 if below else 0.5) * away]
     for view in views:
         view.CameraPosition, view.CameraFocalPoint = camera.CameraPosition, camera.CameraFocalPoint
         view.CameraViewUp = camera.CameraViewUp
@@ -187,25 +222,29 @@ def show(run, time=None):
 
 def main(words):
     run = os.environ.get("TWINWAKE_RUN")
+    below = False
     options = {"--picture": None, "--state": None, "--time": None}
     while words:
         word = words.pop(0)
         if word in ("-h", "--help"):
             print(__doc__.strip())
             return
+        if word == "--below":
+            below = True
+            continue
         if word in options and words:
             options[word] = words.pop(0)
         elif not word.startswith("-"):
             run = word
         else:
-            raise SystemExit(f"{word}: unknown; expected RUN, --picture FILE.png, --state FILE.pvsm, --time SECONDS")
+            raise SystemExit(f"{word}: unknown; expected RUN, --picture FILE.png, --state FILE.pvsm, --time SECONDS, --below")
     if not run:
         raise SystemExit("expected the folder of a run: RUN, or the environment variable TWINWAKE_RUN")
     try:
         time = float(options["--time"]) if options["--time"] else None
     except ValueError:
         raise SystemExit(f"--time {options['--time']}: expected seconds") from None
-    layout, times = show(os.path.abspath(run), time)
+    layout, times = show(os.path.abspath(run), time, below)
     from paraview import simple
 
     if options["--picture"]:

@@ -44,6 +44,8 @@ struct NewCommand {
 };
 int run_new(const NewCommand& command, const Common& common);
 std::vector<std::string> template_names();
+/// "hull: your own hull, ...; planing: ...".
+std::string templates_in_words();
 
 /// Scene file and what the command line changes about it; values as texts with units.
 struct SceneArguments {

@@ -134,16 +134,25 @@ private:
         }
         line(words_for_report(ids));
         say(common_, text);
-        if (slurm_has("sbatch"))
-            for (const JobArray& a : arrays_) {
-                std::vector<std::string> arguments = words_for(script_of(a));
-                arguments.front() = "--test-only";
-                const SlurmAnswer answer = ask_slurm("sbatch", arguments);
-                say(common_, a.name() + ": " + in_one_line(answer.text) + "\n");
-                if (!answer.ok()) throw InputError("sbatch --test-only refuses: " + in_one_line(answer.text));
-            }
+        if (slurm_has("sbatch")) ask_for_opinion();
         write_json(common_, facts());
         return done;
+    }
+
+    /// What `sbatch --test-only` says of each script. A Slurm whose controller does not answer has no opinion.
+    void ask_for_opinion() const {
+        if (slurm_has("scontrol"))
+            if (const SlurmAnswer ping = ask_slurm("scontrol", {"ping"}); !ping.ok()) {
+                say(common_, "not tested by Slurm, whose controller does not answer: " + in_one_line(ping.text) + "\n");
+                return;
+            }
+        for (const JobArray& a : arrays_) {
+            std::vector<std::string> arguments = words_for(script_of(a));
+            arguments.front() = "--test-only";
+            const SlurmAnswer answer = ask_slurm("sbatch", arguments);
+            say(common_, a.name() + ": " + in_one_line(answer.text) + "\n");
+            if (!answer.ok()) throw InputError("sbatch --test-only refuses: " + in_one_line(answer.text));
+        }
     }
 
     /// Asks a node, if one is free, whether it sees the probe.

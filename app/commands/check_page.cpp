@@ -10,6 +10,7 @@
 #include "compare/report/report_table.h"
 #include "compare/report/resolution_picture.h"
 #include "methods/methods.h"
+#include "record/influence_words.h"
 #include "scene/new_record.h"
 #include "scene/water/water_blocks.h"
 
@@ -35,12 +36,13 @@ ReportTable warnings_in(const std::string& text) {
 }
 
 ReportTable effects_of(const Scene& scene) {
+    const bool stream = scene.motion.kind == Motion::Kind::stream;
     ReportTable table{"Effects", {words("effect"), words("is"), words("why"), words("influence")}};
     for (const EffectChoice& e : scene.effects)
         table.rows.push_back({{e.name,
                                {e.on ? "on" : "off", e.on ? Mark::good : Mark::faint},
                                e.forced ? "as requested: " + e.reason : e.reason,
-                               e.influence}});
+                               influence_in_words(e.influence, stream)}});
     return table;
 }
 

@@ -6,15 +6,17 @@
 #include "base/errors.h"
 
 namespace tw::app {
-namespace {
-constexpr const char* former_hull = "own";  ///< what the template `hull` was called
-}
 
 std::vector<std::string> template_names() {
     std::vector<std::string> names;
     for (const Template& t : templates()) names.emplace_back(t.name);
-    names.emplace_back(former_hull);
     return names;
+}
+
+std::string templates_in_words() {
+    std::string list;
+    for (const Template& t : templates()) list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", t.name, t.about);
+    return list;
 }
 
 int run_new(const NewCommand& command, const Common& common) {
@@ -26,7 +28,7 @@ int run_new(const NewCommand& command, const Common& common) {
         throw InputError("--from makes the bodies of a scene; expected: twinwake new body " + command.file.string() +
                          " --from " + command.from.string());
     for (const Template& t : templates()) {
-        if (t.name != (command.kind == former_hull ? "hull" : command.kind)) continue;
+        if (t.name != command.kind) continue;
         write_file(command.file, command.from.empty()
                                      ? std::string(t.text)
                                      : scene_of_bodies(command.from, command.unit, command.axes, command.file));

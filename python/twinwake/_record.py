@@ -78,12 +78,13 @@ class Raster:
         return float(self.counts[frame].sum(dtype=np.int64)) / 255 * self.spacing**3
 
     def to_xarray(self) -> Any:
-        """An xarray.DataArray with the coordinates time, z, y, x. Needs xarray."""
+        """An xarray.DataArray with the coordinates time [s], z, y, x [m]. Needs xarray (Debian's python3-xarray)."""
         import xarray
 
         water = self.counts.astype(np.float32) / np.float32(255)
+        places = {axis: (axis, getattr(self, axis), {"units": "m"}) for axis in "zyx"}
         return xarray.DataArray(water, dims=("time", "z", "y", "x"), name="water", attrs={"units": "1"},
-                                coords={"time": self.times, "z": self.z, "y": self.y, "x": self.x})
+                                coords={"time": ("time", self.times, {"units": "s"}), **places})
 
 
 @dataclass(frozen=True)

@@ -99,9 +99,9 @@ TEST_F(Command, EveryTemplateThatNeedsNoFilePassesItsOwnCheck) {
     }
     EXPECT_EQ(twinwake({"new", "planing", "planing.toml"}).status, 2);  // a file that is there is not lost
     // The template for an own hull works as soon as that hull is there.
-    EXPECT_EQ(twinwake({"new", "own", "own.toml"}).status, 0);
+    EXPECT_EQ(twinwake({"new", "hull", "own.toml"}).status, 0);
     EXPECT_EQ(twinwake({"check", "own.toml"}).err,
-              "own.toml:4:9: [hull] file = \"my_hull.stl\": there is no file my_hull.stl\n");
+              "own.toml:5:9: [hull] file = \"my_hull.stl\": there is no file my_hull.stl\n");
     EXPECT_EQ(
         twinwake({"hull", "make", "prismatic", "-o", "my_hull.stl", "length=8 m", "beam=2 m", "height=1.5"}).status, 0);
     const Outcome own = twinwake({"check", "own.toml"});
@@ -212,7 +212,10 @@ TEST_F(Command, CheckWritesAPageOfWhatWouldBeSolved) {
 
     write("tank.toml", falling_column("tank", "duration = 0.1", "[0.4, 0.1, 0.02]"));
     EXPECT_EQ(twinwake({"check", "tank.toml", "--html", "tank.html"}).status, 0) << "one size everywhere";
-    EXPECT_NE(content(folder_ / "tank.html").find(">0.02 m<"), std::string::npos);
+    const std::string tank = content(folder_ / "tank.html");
+    EXPECT_NE(tank.find(">0.02 m<"), std::string::npos);
+    EXPECT_NE(tank.find("force up: "), std::string::npos) << "what has no stream has no lift";
+    for (const char* of_a_hull : {"<td>drag: ", "; lift: "}) EXPECT_EQ(tank.find(of_a_hull), std::string::npos);
     EXPECT_EQ(twinwake({"check", "tank.toml", "--html", "no/such/folder/a.html"}).status, 2);
 }
 

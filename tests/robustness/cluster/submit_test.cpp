@@ -85,6 +85,22 @@ TEST_F(Submit, ADryRunWritesTheScriptsAndSubmitsNothing) {
     EXPECT_TRUE(has(asked.out, "sph_1: sbatch: Job 5 to start at 2027-01-01")) << asked.out;
     EXPECT_TRUE(has(words_of("sbatch"), "--test-only"));
     EXPECT_FALSE(has(words_of("sbatch"), "--parsable"));
+    stub("sbatch", "echo 'sbatch: error: invalid partition specified: compute' >&2; exit 1");
+    const Outcome refused = submit({"--dry-run"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(has(refused.err, "invalid partition specified")) << refused.err;
+}
+
+/// Slurm's programs without a cluster behind them, as on a desk: nothing is tested, and the scripts are there.
+TEST_F(Submit, ADryRunNeedsNoController) {
+    stub("sbatch", "echo 'allocation failure: Unable to contact slurm controller' >&2; exit 1");
+    stub("scontrol", "echo 'Slurmctld(primary) at head is DOWN'; exit 1");
+    const Outcome o = submit({"--dry-run"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.out, "not tested by Slurm, whose controller does not answer: Slurmctld(primary) at head is DOWN"))
+        << o.out;
+    EXPECT_TRUE(has(words_of("scontrol"), "ping"));
+    EXPECT_TRUE(fs::exists(folder_ / "out/study/sph_1.sbatch"));
 }
 
 TEST_F(Submit, WithoutSlurmItIsRefusedByName) {

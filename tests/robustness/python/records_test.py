@@ -40,6 +40,24 @@ class Records(InAFolder):
         # the column stands at x < 0.2 m at first: the axes are not exchanged
         self.assertLess(raster.water(0)[:, :, raster.x > 0.21].sum(), 0.01 * raster.water(0).sum())
 
+    def test_the_raster_is_a_labelled_array_where_xarray_is(self):
+        try:
+            import xarray
+        except ImportError:
+            self.skipTest("there is no xarray (Debian's python3-xarray)")
+        raster = self.column.records["sph"].raster()
+        water = raster.to_xarray()
+        self.assertIsInstance(water, xarray.DataArray)
+        self.assertEqual(water.dims, ("time", "z", "y", "x"))
+        self.assertEqual((water.x.attrs["units"], water.time.attrs["units"]), ("m", "s"))
+        np.testing.assert_array_equal(water.time, raster.times)
+        np.testing.assert_allclose(water.isel(time=-1), raster.water(len(raster.times) - 1))
+        # the column stands at x < 0.2 m at first, and reaches further at the end
+        wet = (water > 0.5).any(("y", "z"))
+        front = wet.x.where(wet).max("x")
+        self.assertLess(float(front[0]), 0.21)
+        self.assertGreater(float(front[-1]), float(front[0]) + 0.02)
+
     def test_series_have_units_and_one_length(self):
         for record in self.records():
             for table in record.tables:

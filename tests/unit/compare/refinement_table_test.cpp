@@ -91,7 +91,8 @@ TEST(RefinementTable, OneRowIsATable) { EXPECT_EQ(table("h,drag\n0.1,5\n").spaci
 TEST(RefinementTable, FaultsAreNamedWithLineFoundAndExpected) {
     EXPECT_EQ(error("h,drag\n1,2\n2,\n"), "t.csv:3: no number in column \"drag\" found; expected one in every row");
     EXPECT_EQ(error("h,drag\n1,nan\n"), "t.csv:2: no number in column \"drag\" found; expected one in every row");
-    EXPECT_EQ(error("h,drag\n# x\n1,2,3\n"), "t.csv:3: 3 cells found; expected 2 as in the header line");
+    EXPECT_EQ(error("h,drag\n# x\n1,2,3\n"),
+              "t.csv:3: 3 cells found; expected 2 as in the header line (line 1: \"h\", \"drag\")");
     EXPECT_NE(error("h,drag\n1,high\n").find("t.csv:2:3: \"high\" found in column \"drag\"; expected a finite number"),
               std::string::npos);
     EXPECT_EQ(error("h;drag\n1,5;2\n"),

@@ -1,5 +1,7 @@
 #include "import/logger_csv.h"
 
+#include <cmath>
+
 #include "import_folder.h"
 #include "record/run_record.h"
 
@@ -87,12 +89,43 @@ fz = { column = 3, unit = "kN" }
                      "times of day"));
 }
 
-// A row that is none of the table's must not end it unseen.
-TEST_F(LoggerCsv, ABrokenRowIsNamedAndNothingAboveItIsLost) {
+// A row that is none of the table's must not end it unseen, and does not make another table of the rest.
+TEST_F(LoggerCsv, AnOddRowIsNamedAndNothingAboveItIsLost) {
     const std::string text = refusal_of("t,Drag,Lift\n0,250,2.5\nx,y,z\n1,260,2.6\n", "", in_seconds);
-    EXPECT_TRUE(says(text, "log.csv:3:1: \"x\"")) << text;
+    EXPECT_TRUE(says(text, "log.csv:3:1: \"x\" found in column \"t\"")) << text;
     const std::string comma = refusal_of("t;Drag;Lift\n0;250;2,5\nx;y;z\n1;260;2,6\n", "", in_seconds);
-    EXPECT_TRUE(says(comma, "log.csv:2:") || says(comma, "log.csv:3:")) << comma;
+    EXPECT_TRUE(says(comma, "log.csv:3:1: \"x\" found in column \"t\"")) << comma;
+    // what a logger writes when it pauses, when it ends, and when it is switched off while it writes
+    const std::string above = "Facility;Tank 2\nRun;117\nRate;1000\nt;Drag;Lift\ns;N;kN\n0;250;2,5\n";
+    for (const auto& [odd, rest] :
+         {std::pair{"paused", "\n0,5;260;2,6\n1;1270;2,75\n"}, std::pair{"0,5;260;2,6;7", "\n1;1270;2,75\n"},
+          std::pair{"End of test", "\n"}, std::pair{"0,5;26", ""}}) {
+        const std::string said = refusal_of(above + odd + rest);
+        EXPECT_TRUE(says(said, std::string("log.csv:7: \"") + odd + "\", ")) << said;
+        EXPECT_TRUE(says(said,
+                         "found below line 6, where the table begins, of 3 columns separated by semicolons with "
+                         "decimal commas"))
+            << said;
+    }
+    expect_the_rows(above + "# paused\n0,5;260;2,6\n1;1270;2,75\n");  // marked as no row
+}
+
+// Gaps and words in columns that nobody asks for are no odd rows.
+TEST_F(LoggerCsv, GapsAndRemarksAreRows) {
+    const std::string gap = "t;Drag;Lift;Note\n0;250;2,5;\n0,5;260;2,6;gust\n1;1270;2,75;\n";
+    expect_the_rows(gap, "", in_seconds);
+    write("log.csv", "t;Drag;Lift\n0;250;2,5\n0,5;260;\n1;;\n1,5;1270;2,75\n");
+    const RunRecord r = imported("csv", "log.csv", in_seconds);
+    EXPECT_EQ(r.tables.at("forces").time.size(), 4u);
+    EXPECT_TRUE(std::isnan(r.series("forces", "fz")->values[1]));
+    EXPECT_EQ(r.series("forces", "fx")->values[1], 260);
+    // more lines above the table than in it
+    expect_the_rows(
+        "Tank;2\nRun;117\nRate;1000\nGain;4;5\nA;1\nB;2\nC;3\nt;Drag;Lift\n0;250;2,5\n0,5;260;2,6\n1;1270;2,75\n", "",
+        in_seconds);
+}
+
+TEST_F(LoggerCsv, WhatIsPlainOrNoTableIsLeftAlone) {
     EXPECT_EQ(plain_csv("t,F\n0,1\n", "a.csv", {}).text, "t,F\n0,1\n");
     EXPECT_EQ(plain_csv("nothing of a table", "a.csv", {}).text, "nothing of a table");
 }

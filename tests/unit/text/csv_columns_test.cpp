@@ -49,8 +49,10 @@ TEST(CsvColumns, FaultsNameFileLineAndColumn) {
     EXPECT_NE(refusal("t,F\n0,inf\n").find("a.csv:2:3: \"inf\""), std::string::npos);
     EXPECT_NE(refusal("t,F\n0,1e999\n").find("a.csv:2:3: \"1e999\""), std::string::npos);
     EXPECT_NE(refusal("t,F\n0,1 N\n").find("a.csv:2:3: \"1 N\""), std::string::npos);
-    EXPECT_EQ(refusal("t,F\n0,1\n\n1\n"), "a.csv:4: 1 cell found; expected 2 as in the header line");
-    EXPECT_EQ(refusal("t,F\n0,1,2\n"), "a.csv:2: 3 cells found; expected 2 as in the header line");
+    EXPECT_EQ(refusal("t,F\n0,1\n\n1\n"),
+              "a.csv:4: 1 cell found; expected 2 as in the header line (line 1: \"t\", \"F\")");
+    EXPECT_EQ(refusal("t,F\n0,1,2\n"),
+              "a.csv:2: 3 cells found; expected 2 as in the header line (line 1: \"t\", \"F\")");
     EXPECT_NE(refusal("").find("a.csv:1: an empty file found"), std::string::npos);
     EXPECT_NE(refusal("# only\n#remarks\n").find("a.csv:2: no header line found"), std::string::npos);
     EXPECT_NE(refusal("t,F\n").find("a.csv:1: no row found"), std::string::npos);
