@@ -280,6 +280,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_elevation(comparison, options);
     add_probes(comparison, options);
     add_regular_wave(comparison);
+    add_added_by_waves(comparison, options);
     add_sea(comparison);
     add_free_decay(comparison);
     add_bodies(comparison);

@@ -200,10 +200,10 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         const std::string& older = effect_part(e.name).older;
         t.add("effect." + (e.on || older.empty() ? e.name : older), {e.on ? 1.0 : 0.0});
     }
-    if (!scene.empty_twin_of.empty()) t.add("bodies", "left out");
+    if (!scene.wave_twin_of.empty()) t.add(scene.wave ? "bodies" : "wave", "left out");
     const RasterSpec& raster = scene.sampling.raster;
     if (sizes) {
-        for (const auto& [method, hash] : scene.empty_twin_of) t.add("empty_twin_of." + method, hash);
+        for (const auto& [method, hash] : scene.wave_twin_of) t.add("wave_twin_of." + method, hash);
         t.add("depth", {scene.water.depth}).add("resolution", {scene.resolution.spacing, scene.resolution.near_hull});
         for (const RefinementBox& r : scene.refinement)
             t.add("refine", r.box).add("level", {static_cast<double>(r.level)});

@@ -7,10 +7,10 @@
 
 #include "record/certificate.h"
 #include "record/code_version.h"
-#include "record/empty_twin.h"
 #include "record/hull_motion.h"
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
+#include "record/wave_twin.h"
 #include "scene/box/box_walls.h"
 #include "scene/doubtful_input.h"
 #include "scene/hash.h"
@@ -191,8 +191,8 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["wave_trough"] = wave.trough;
         record.numbers["wave_direction"] = wave.sum.direction;
     }
-    if (const auto of = scene.empty_twin_of.find(method); of != scene.empty_twin_of.end())
-        record.attributes[std::string(empty_twin_of_run)] = of->second;
+    if (const auto of = scene.wave_twin_of.find(method); of != scene.wave_twin_of.end())
+        record.attributes[std::string(wave_twin_of_run)] = of->second;
     if (scene.sea) note_sea(record, scene);
     if (scene.has_wave())
         for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;

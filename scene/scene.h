@@ -111,7 +111,7 @@ struct WaveOptions {
     double second_height = 0, second_period = 0;     ///< of the second of two waves [m], [s]
     double crest = 0;                                ///< of a focused wave to first order [m]
     double focus_place = 0, focus_time = 0;          ///< of it [m], [s]; as the scene is checked, filled in
-    std::string empty_twin = "auto";                 ///< auto, on, off: see wants_empty_twin
+    std::string empty_twin = "auto", calm_twin = "auto";  ///< auto, on, off: see wants_wave_twin
 };
 
 struct Resolution {
@@ -236,9 +236,9 @@ struct Scene {
     std::optional<RegularWave> wave;  ///< as it is made; none: there is no regular one
     std::optional<Sea> sea;           ///< a sum of linear waves as it is made; none: there is none
     bool has_wave() const { return wave || sea; }
-    /// Of the empty twin of a scene, in which its bodies are left out (scene/empty_twin.h): by method the run hash
-    /// of that scene. Empty: this is no empty twin.
-    std::map<std::string, std::string> empty_twin_of;
+    /// Of the twin of a scene with a wave (scene/wave_twin.h): by method the run hash of that scene. Empty: this is no
+    /// twin.
+    std::map<std::string, std::string> wave_twin_of;
     Resolution resolution;
     std::vector<RefinedPlace> refined;
     std::vector<RefinementBox> refinement;  ///< those and what the hull asks for
@@ -278,7 +278,7 @@ struct SceneOverrides {
     std::map<std::string, bool> effects = {};  ///< effects forced on or off
     std::string device = {};                   ///< empty: the scene's
     std::string interface = {};                ///< how the mesh method captures the surface; empty: the scene's
-    bool empty_twin = false;                   ///< the scene's empty twin in its place
+    bool wave_twin = false;                    ///< the twin of a scene with a wave in its place (scene/wave_twin.h)
 };
 
 /// Reads, fills in and checks a scene file. Throws InputError `file:line:column: ...` for the first thing that is

@@ -9,7 +9,7 @@
 
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
-#include "scene/empty_twin.h"
+#include "scene/wave_twin.h"
 #include "waves/steepness.h"
 
 namespace tw {
@@ -65,8 +65,11 @@ std::string regular_wave_text(const Scene& scene) {
             "; artificial viscosity takes {:.2g} % of the particles' height in a wave length, {:.2g} % "
             "between the zones (measured, of all causes: 2 to 4 % at eight particles in the height)",
             100 * loss_by_artificial_viscosity(scene, w.length), 100 * loss_by_artificial_viscosity(scene, between));
-    if (wants_empty_twin(scene))
-        out += "\n  twin      each size is run without the bodies too: responses are given over the wave there as well";
+    if (wants_wave_twin(scene))
+        out += scene.hull ? "\n  twin      each size is run without the wave too: what drag, trim and rise are more in "
+                            "waves is given"
+                          : "\n  twin      each size is run without the bodies too: responses are given over the wave "
+                            "there as well";
     return out + "\n";
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/campaign/empty_twin.h"
+#include "app/campaign/wave_twin.h"
 #include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "methods/methods.h"
@@ -75,7 +75,7 @@ public:
         for (int k = 1; sizes_.fill && allowed >= least_filled && k + 1 < sizes_.levels; ++k) add_size(k + 0.5);
         std::ranges::stable_sort(
             plan_.jobs, {}, [](const LadderJob& j) { return std::pair(j.fills_in, j.run.plan.seconds(j.run.method)); });
-        add_empty_twins();
+        add_wave_twins();
         return std::move(plan_);
     }
 
@@ -101,10 +101,10 @@ private:
         plan_.jobs.push_back({{name, method, std::move(plan), folder / method}, choice, fills_in});
     }
     /// Each before the run that it belongs to: what is read of that one has the wave of this one in it.
-    void add_empty_twins() {
+    void add_wave_twins() {
         std::vector<LadderJob> all;
         for (LadderJob& job : plan_.jobs) {
-            if (std::optional<CampaignRun> twin = empty_twin_of(job.run))
+            if (std::optional<CampaignRun> twin = wave_twin_of(job.run))
                 all.push_back({std::move(*twin), {}, job.fills_in});
             all.push_back(std::move(job));
         }
@@ -239,7 +239,7 @@ bool take(LadderHarvest& harvest, const LadderJob& job, CampaignResult result) {
         const bool failed = result.state == State::failed;
         harvest.left_out.push_back(job.run.name + ": " + (failed ? "failed: " : "") + result.why_not);
         harvest.any_failed |= failed;
-    } else if (job.is_empty_twin()) {
+    } else if (job.is_wave_twin()) {
         return true;  // what it measured comes with the run that has the bodies
     } else if (job.choice) {
         harvest.variations.push_back(variation_of(*job.choice, ladder_run(std::move(*result.record))));

@@ -25,7 +25,7 @@ struct LadderJob {
     CampaignRun run;
     std::optional<LadderChoice> choice = {};  ///< none: a size
     bool fills_in = false;                    ///< a size between two others
-    bool is_empty_twin() const { return !run.plan.scene.empty_twin_of.empty(); }
+    bool is_wave_twin() const { return !run.plan.scene.wave_twin_of.empty(); }
 };
 
 /// Which sizes of a scene are run, and how.

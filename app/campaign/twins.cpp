@@ -13,6 +13,7 @@
 #include "methods/methods.h"
 #include "scene/hash.h"
 #include "scene/refined_places.h"
+#include "scene/wave_twin.h"
 
 namespace tw::app {
 
@@ -47,13 +48,13 @@ std::string Twins::prediction_text(const Scene& scene, double own) const {
     const auto count = [&](auto what) { return std::ranges::count_if(plan_.jobs, what); };
     const auto boxes = count([](const LadderJob& j) { return j.choice && j.choice->box; });
     const auto inputs = count([](const LadderJob& j) { return j.choice && !j.choice->input.empty(); });
-    const auto empty = count([](const LadderJob& j) { return j.is_empty_twin(); });
-    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes - inputs - empty;
+    const auto twins = count([](const LadderJob& j) { return j.is_wave_twin(); });
+    const auto sizes = static_cast<long>(plan_.jobs.size()) - boxes - inputs - twins;
     std::string text;
     if (sizes > 0)
         text = fmt::format("grid triplet: {} coarser run{}{}{}{}, {} (+ {:.0f} %); --no-twins leaves them out\n", sizes,
                            sizes == 1 ? "" : "s", boxes > 0 ? " and one in a wider box" : "",
-                           empty > 0 ? fmt::format(", {} without bodies", empty) : "",
+                           twins > 0 ? fmt::format(", {} without {}", twins, left_out_of_twin(scene)) : "",
                            inputs > 0 ? fmt::format(", {} for [uncertain]", inputs) : "", about_text(seconds()),
                            own > 0 ? 100 * seconds() / own : 0);
     for (const std::string& line : plan_.left_out) text += "! grid triplet: " + line + "\n";

@@ -101,7 +101,7 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
             result.why_not = e.what();
         }
         if (result.state == CampaignResult::State::stopped) return false;
-        if (result.there() && job.is_empty_twin()) {
+        if (result.there() && job.is_wave_twin()) {
             charge(harvest, ladder_run(std::move(*result.record)));
         } else if (result.there()) {
             std::vector<std::string>& versions = harvest.versions[run.method];
@@ -113,7 +113,7 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
             LadderRun made = with_readings(run.folder / "record.h5", std::move(*result.record), planned, place);
             charge(harvest, made);
             into(std::move(made));
-        } else if (!job.choice && !job.is_empty_twin() &&
+        } else if (!job.choice && !job.is_wave_twin() &&
                    std::abs(run.plan.scene.resolution.near_hull / scene.near_hull - 1) < 1e-6) {
             harvest.why_failed[run.method] = result.why_not;
         } else {

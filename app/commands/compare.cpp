@@ -17,6 +17,7 @@
 #include "compare/ladder/ladder_report.h"
 #include "compare/reports/two_reports.h"
 #include "methods/methods.h"
+#include "record/wave_twin.h"
 
 namespace tw::app {
 namespace {
@@ -46,7 +47,8 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     if (!fs::is_directory(folder)) return files;
     constexpr int deepest = 3;  // size, a variation, method: behind it lie cases
     for (fs::recursive_directory_iterator at(folder), end; at != end; ++at) {
-        if (at->path().filename() == empty_twins_folder) at.disable_recursion_pending();  // read_run finds them
+        if (at->path().filename() == empty_twins_folder || at->path().filename() == calm_twins_folder)
+            at.disable_recursion_pending();  // read_run finds them
         if (at->path().filename() == "record.h5") files.push_back(at->path());
         if (at.depth() >= deepest || at->path().filename() == "case") at.disable_recursion_pending();
     }

@@ -6,9 +6,9 @@
 #include "app/arguments/output.h"
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
-#include "app/campaign/empty_twin.h"
 #include "app/campaign/report_every.h"
 #include "app/campaign/twins.h"
+#include "app/campaign/wave_twin.h"
 #include "app/runs/body_outcome.h"
 #include "app/runs/facts_json.h"
 #include "app/runs/ranks.h"
@@ -71,10 +71,10 @@ std::string prediction_text(const PlannedRun& plan) {
 }
 
 /// Of the scene's own size.
-std::vector<CampaignRun> empty_twins_of(const PlannedRun& plan, const fs::path& out) {
+std::vector<CampaignRun> wave_twins_of(const PlannedRun& plan, const fs::path& out) {
     std::vector<CampaignRun> runs;
     for (const std::string& method : methods_of(plan.scene))
-        if (std::optional<CampaignRun> twin = empty_twin_of({method_label(method), method, plan, out / method}))
+        if (std::optional<CampaignRun> twin = wave_twin_of({method_label(method), method, plan, out / method}))
             runs.push_back(std::move(*twin));
     return runs;
 }
@@ -218,7 +218,7 @@ int run_run(const RunCommand& command, const Common& common) {
     if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene, &plan.prediction));
     double own = 0;
     for (const std::string& method : methods) own += plan.seconds(method);
-    const std::vector<CampaignRun> empty = empty_twins_of(plan, out);
+    const std::vector<CampaignRun> empty = wave_twins_of(plan, out);
     std::string of_empty;
     for (const CampaignRun& run : empty)
         of_empty += fmt::format("{}: {}\n", run.name, about_text(run.plan.seconds(run.method)));

@@ -22,7 +22,7 @@ SceneOverrides overrides_of(const nlohmann::json& json) {
     o.interface = json.value("interface", "");
     if (!o.interface.empty() && o.interface != "isoadvector")
         throw InputError("interface: \"" + o.interface + "\"; expected \"isoadvector\"");
-    o.empty_twin = json.value("empty_twin", false);
+    o.wave_twin = json.value("wave_twin", false);
     if (json.contains("effects")) o.effects = json["effects"].get<std::map<std::string, bool>>();
     return o;
 }

@@ -29,7 +29,7 @@ StudyJson json_of(const SceneOverrides& o) {
     if (!o.effects.empty()) json["effects"] = o.effects;
     if (!o.device.empty()) json["device"] = o.device;
     if (!o.interface.empty()) json["interface"] = o.interface;
-    if (o.empty_twin) json["empty_twin"] = true;
+    if (o.wave_twin) json["wave_twin"] = true;
     return json;
 }
 

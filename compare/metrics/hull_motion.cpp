@@ -100,6 +100,7 @@ void add_porpoising(Comparison& comparison) {
 }  // namespace
 
 std::optional<Porpoising> porpoising(const RunRecord& record) {
+    if (record.numbers.contains("wave_period")) return {};  // a wave drives it
     const auto pitch = oscillation_of(record, "trim", least_pitch);
     const auto heave = oscillation_of(record, "z", least_heave * number_of(record, "beam", HUGE_VAL));
     if (!pitch && !heave) return {};

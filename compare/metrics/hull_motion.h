@@ -17,7 +17,7 @@ void add_hull_motion(Comparison& comparison, const CompareOptions& options);
 
 /// Sustained oscillation of a hull in pitch and heave, of constant or growing amplitude (Savitsky 1964, section on
 /// porpoising), after the record's mean_from. Named from an amplitude of 0.25 deg or of a hundredth of the beam on;
-/// smaller ones are left to the intervals of the means.
+/// smaller ones are left to the intervals of the means. None in a wave.
 struct Porpoising {
     Oscillation pitch, heave;  ///< [deg], [m]; zeros of the one that does not oscillate
     double period() const { return pitch.cycles > 0 ? pitch.period : heave.period; }

@@ -185,6 +185,7 @@ void add_regular_wave(Comparison& comparison) {
         }
     }
     add_wave_responses(comparison, periods);
+    add_hull_in_waves(comparison, periods);
     add_wave_forces(comparison, periods);
     if (gauges.size() < 2) return;
     Quantity reflected =

@@ -14,10 +14,13 @@ namespace tw {
 ///                        values stand beside as references
 ///   heave_response:BODY, pitch_response:BODY   first harmonic of a body's motion over half of the wave's height as asked
 ///                        for and over that wave's slope pi H / L, mean over the periods with its 95 % interval [-]
-///   heave_over_wave:BODY, pitch_over_wave:BODY   of records that were given their empty twin (record/empty_twin.h): the
+///   heave_over_wave:BODY, pitch_over_wave:BODY   of records that were given their empty twin (record/wave_twin.h): the
 ///                        same over the first harmonic a of the wave at the body's place in that twin and over its slope
 ///                        k a, both of the same period, so that what changes from period to period in both cancels [-]
 ///   wave_without:BODY    that wave, 2 a [m]
+///   heave_response:hull, pitch_response:hull   the same of a hull that is free in heave and pitch in a stream, and
+///   heave_phase:hull, pitch_phase:hull   by how much they are before the theory's crest at its centre of mass [deg]
+///   acceleration_centre:hull, acceleration_bow:hull   highest upward acceleration in each period [m/s2]
 ///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%]: of two by split_waves over the
 ///                        whole time, of more by split_decaying_waves of each period, with the 95 % interval of the mean of
 ///                        the complex ratio over the periods; in a stream, where a wave that runs back has another length,
@@ -28,10 +31,16 @@ namespace tw {
 ///   wave_loss            of three gauges or more: what the incident wave loses of its height in one of its lengths [%]
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);
-/// The parts of it that speak of forces and of bodies, over the periods that are judged (wave_forces.cpp,
-/// wave_responses.cpp).
+/// The parts of it that speak of forces, of bodies and of a hull that is free in a stream, over the periods that are judged
+/// (wave_forces.cpp, wave_responses.cpp, hull_in_waves.cpp).
 void add_wave_forces(Comparison& comparison, const WavePeriods& periods);
 void add_wave_responses(Comparison& comparison, const WavePeriods& periods);
+void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods);
+
+/// Of records that were given their calm twin (record/wave_twin.h), judged by ladders: means over the whole periods less the
+/// settled means of the same run without the wave,
+///   added_resistance [N]; of a free hull added_trim [deg], added_rise [m]
+void add_added_by_waves(Comparison& comparison, const CompareOptions& options);
 
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);

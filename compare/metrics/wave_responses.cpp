@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <numbers>
 #include <optional>
-#include <set>
+#include <vector>
 
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/regular_wave.h"
 #include "compare/verdict/judge.h"
-#include "record/empty_twin.h"
+#include "record/hull_motion.h"
+#include "record/wave_twin.h"
 
 namespace tw {
 namespace {
@@ -37,25 +40,46 @@ MeanValue mean_ratio(const Amplitudes& of, const Amplitudes& over, double factor
     return mean_over(ratios, periods);
 }
 
+/// What moves in the wave: a free body, or the hull that is free in heave and pitch.
+struct Mover {
+    std::string name, table;
+    bool is_hull() const { return table == hull_motion_table; }
+    std::string in_words() const { return is_hull() ? "the hull" : name; }
+};
+std::vector<Mover> movers_of(const Comparison& comparison) {
+    std::vector<Mover> movers;
+    const auto add = [&](Mover m) {
+        if (std::ranges::find(movers, m.table, &Mover::table) == movers.end()) movers.push_back(std::move(m));
+    };
+    for (const RunRecord& r : comparison.sources)
+        for (const auto& [table, of] : r.tables) {
+            if (table.starts_with("body_")) add({table.substr(5), table});
+            if (table == hull_motion_table) add({"hull", table});
+        }
+    std::ranges::sort(movers, {}, &Mover::name);
+    return movers;
+}
+
 /// What one record tells of a body.
 struct BodyInWave {
     bool has_twin = false;
     Amplitudes heave, pitch;  ///< [m], [rad]
     Amplitudes wave;          ///< where it is, in the empty twin [m]
 };
-BodyInWave body_in(const RunRecord& r, const std::string& body, const WavePeriods& periods) {
+BodyInWave body_in(const RunRecord& r, const Mover& mover, const WavePeriods& periods) {
     BodyInWave b;
-    const auto table = r.tables.find(body_table(body));
+    const auto table = r.tables.find(mover.table);
     if (table != r.tables.end()) {
-        const Column *z = table->second.find("z"), *q0 = table->second.find("q0"), *qy = table->second.find("qy");
-        if (z && q0 && qy) {
-            const std::vector<double>& time = table->second.time;
-            b.heave = amplitudes_of(time, periods, [&](std::size_t i) { return z->values[i]; });
-            b.pitch = amplitudes_of(time, periods,
-                                    [&](std::size_t i) { return 2 * std::atan2(qy->values[i], q0->values[i]); });
+        const Table& t = table->second;
+        const Column *z = t.find("z"), *trim = t.find("trim"), *q0 = t.find("q0"), *qy = t.find("qy");
+        if (z && (trim || (q0 && qy))) {
+            b.heave = amplitudes_of(t.time, periods, [&](std::size_t i) { return z->values[i]; });
+            b.pitch = amplitudes_of(t.time, periods, [&](std::size_t i) {
+                return trim ? trim->values[i] * pi / 180 : 2 * std::atan2(qy->values[i], q0->values[i]);
+            });
         }
     }
-    if (const Column* level = r.series(std::string(empty_twin_table), gauge_of_empty_twin(body))) {
+    if (const Column* level = r.series(std::string(empty_twin_table), gauge_of_empty_twin(mover.name))) {
         b.has_twin = true;
         b.wave = amplitudes_of(r.tables.at(std::string(empty_twin_table)).time, periods,
                                [&](std::size_t i) { return level->values[i]; });
@@ -68,7 +92,7 @@ std::string without_twin(const Comparison& comparison, const std::vector<BodyInW
     std::string text;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         if (bodies[k].has_twin) continue;
-        const std::string why = text_of(comparison.sources[k], std::string(no_empty_twin), "it was not run");
+        const std::string why = text_of(comparison.sources[k], std::string(no_wave_twin), "it was not run");
         text += fmt::format("; no run without the body counts ({}: {})", method_label(comparison.names[k]), why);
     }
     return text;
@@ -98,21 +122,18 @@ void add_wave_without(Comparison& comparison, const std::string& body, const std
 }  // namespace
 
 void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
-    std::set<std::string> names;
     double height = NAN, length = NAN;
-    for (const RunRecord& r : comparison.sources) {
+    for (const RunRecord& r : comparison.sources)
         if (!std::isfinite(height))
             height = number_of(r, "wave_height", NAN), length = number_of(r, "wave_length", NAN);
-        for (const auto& [name, table] : r.tables)
-            if (name.starts_with("body_")) names.insert(name.substr(5));
-    }
     if (!(height > 0) || !(length > 0)) return;
     const Amplitudes asked(static_cast<std::size_t>(periods.count), height / 2);
-    for (const std::string& name : names) {
+    for (const Mover& mover : movers_of(comparison)) {
+        const std::string &name = mover.name, words_of = mover.in_words();
         std::vector<BodyInWave> bodies;
         bool any_twin = false, any_response = false;
         for (const RunRecord& r : comparison.sources) {
-            bodies.push_back(body_in(r, name, periods));
+            bodies.push_back(body_in(r, mover, periods));
             any_twin |= bodies.back().has_twin;
         }
         const std::string missing = without_twin(comparison, bodies);
@@ -143,11 +164,11 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
                 comparison.quantities.push_back(std::move(q));
             };
             if (any_twin)
-                add("over_wave", fmt::format("of {} over the wave without it", name),
+                add("over_wave", fmt::format("of {} over the wave without it", words_of),
                     heave ? "that of the surface at its place in the run without the body, period by period"
                           : "the slope k a of the surface at its place in the run without the body, period by period",
                     true);
-            add("response", fmt::format("of {} over the wave asked for", name),
+            add("response", fmt::format("of {} over the wave asked for", words_of),
                 heave ? "half of the wave's height as asked for, so that what the wave loses on its way is in it"
                       : "the slope pi H / L of the wave as asked for, so that what the wave loses on its way is in it",
                 false);

@@ -10,6 +10,7 @@
 
 #include "compare/compare.h"
 #include "compare/metrics/quantity.h"
+#include "record/hull_motion.h"
 #include "record/record_numbers.h"
 #include "statistics/student_t.h"
 
@@ -85,7 +86,7 @@ struct WavePeriods {
 inline WavePeriods wave_periods(const Comparison& c) {
     WavePeriods p;
     const auto [from, to] = common_time(c, [](const std::string& table) {
-        return table == "height" || table == "forces" || table.starts_with("body_");
+        return table == "height" || table == "forces" || table == hull_motion_table || table.starts_with("body_");
     });
     for (const RunRecord& r : c.sources) p.period = std::max(p.period, number_of(r, "wave_period", 0));
     if (!(p.period > 0) || !std::isfinite(to)) return p;

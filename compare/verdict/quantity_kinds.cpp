@@ -8,7 +8,7 @@ namespace tw {
 std::vector<std::string> kinds_of(std::string quantity) {
     const std::string name = quantity.substr(0, quantity.find(':'));
     const auto is = [&](auto... names) { return ((name == names) || ...); };
-    if (is("drag", "total_drag")) return {"drag"};
+    if (is("drag", "total_drag", "added_resistance")) return {"drag"};
     if (is("lift", "trim_moment")) return {"lift"};
     if (name.starts_with("load_"))  // of what stands in a tank: its axis is the last letter
         return {name.starts_with("load_peak") ? "peak" : "impulse", name.ends_with("_x") ? "drag" : "lift"};
@@ -21,8 +21,9 @@ std::vector<std::string> kinds_of(std::string quantity) {
     if (is("height_mean")) return {"level"};
     if (is("body_impulse")) return {"impulse"};
     if (is("body_depth", "body_speed", "body_turn", "heave_response", "pitch_response", "heave_over_wave",
-           "pitch_over_wave"))
+           "pitch_over_wave", "added_trim", "added_rise"))
         return {"motion"};
+    if (is("acceleration_centre", "acceleration_bow")) return {"peak"};
     return name.starts_with("splash") || name.starts_with("airborne") ? std::vector<std::string>{"splash"}
                                                                       : std::vector<std::string>{};
 }
@@ -46,6 +47,9 @@ int main_rank(const std::string& name) {
                                                 "pitch_over_wave",
                                                 "heave_response",
                                                 "pitch_response",
+                                                "added_resistance",
+                                                "acceleration_bow",
+                                                "acceleration_centre",
                                                 "wave_height",
                                                 "significant_height",
                                                 "focused_crest",

@@ -18,7 +18,7 @@ double group_speed(const RegularWave& wave) {
 }  // namespace
 
 bool begins_in_zone(const Scene& scene) {
-    return scene.hull || !scene.bodies.empty() || !scene.obstacles.empty() || !scene.empty_twin_of.empty();
+    return scene.hull || !scene.bodies.empty() || !scene.obstacles.empty() || !scene.wave_twin_of.empty();
 }
 
 bool begins_with_wave(const Scene& scene) { return scene.has_wave() && scene.motion.kind != Motion::Kind::stream; }

@@ -8,7 +8,6 @@
 #include "scene/defaults.h"
 #include "scene/effects/plan.h"
 #include "scene/effects/registry.h"
-#include "scene/empty_twin.h"
 #include "scene/hash.h"
 #include "scene/particles/particle_levels.h"
 #include "scene/read/check_scene.h"
@@ -20,6 +19,7 @@
 #include "scene/water/quiet_layer.h"
 #include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
+#include "scene/wave_twin.h"
 
 namespace tw {
 namespace {
@@ -416,7 +416,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     settle_places(r);
     settle_effects(r);
     check_wave(r.scene, r.sections);
-    if (overrides.empty_twin) leave_bodies_out(r.scene);
+    if (overrides.wave_twin) make_wave_twin(r.scene);
     r.scene.hash = scene_hash(r.scene);
     return std::move(r.scene);
 }

@@ -7,10 +7,10 @@
 #include "base/errors.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
-#include "scene/empty_twin.h"
 #include "scene/read/read.h"
 #include "scene/refined_places.h"
 #include "scene/water/water_blocks.h"
+#include "scene/wave_twin.h"
 #include "waves/dispersion.h"
 #include "waves/steepness.h"
 
@@ -35,14 +35,10 @@ void refuse_streams(const Scene& scene, Sections& s) {
         wave.fail("spectrum",
                   "a sum of waves in a stream is not made yet; expected a regular wave (remove this key), or "
                   "a tank: [tank] with min and max, and no speed");
-    if (scene.hull_is_free())
-        s.hull.fail("free",
-                    "a free hull in a stream with waves is not made yet; expected a hull that is held: remove "
-                    "this key, or [wave]");
     if (!scene.bodies.empty())
         s.bodies[0].fail("name",
-                         "bodies in a stream with waves are not made yet; expected a hull that is held, "
-                         "obstacles, or a tank");
+                         "bodies in a stream with waves are not made yet; expected a hull, held or free in heave and "
+                         "pitch, obstacles, or a tank");
     if (s.domain.has("downstream"))
         s.domain.fail("downstream", "a wave runs in water of one depth; remove this key, or [wave]");
     if (s.domain.has("sides") && scene.zones.sides == "open")
@@ -333,6 +329,9 @@ void check_wave(const Scene& scene, Sections& s) {
                     scene.wave ? "no free rigid body is in the tank whose response could be over the wave there; "
                                  "expected [[body]], or remove this key"
                                : "responses are given in regular waves; remove this key");
+    if (scene.wave_asked.calm_twin == "on" && (!scene.wave || !scene.hull || !in_stream(scene)))
+        s.wave.fail("calm_twin",
+                    "what a wave adds is given of a hull in a stream with a regular wave; remove this key");
     const WaveScales wave = wave_scales(scene);
     if (!scene.effect_on("forcing_zones"))
         s.effects.fail("forcing_zones", "a wave is made and absorbed by them; remove this key, or [wave]");

@@ -1,7 +1,9 @@
 // What gauges tell of a regular wave: height, crest and trough over whole periods, and the part that comes back.
 #include "compare/metrics/regular_wave.h"
+#include "compare/metrics/hull_motion.h"
 #include "compare/metrics/wave_analysis.h"
-#include "record/empty_twin.h"
+#include "record/hull_motion.h"
+#include "record/wave_twin.h"
 
 #include <gtest/gtest.h>
 
@@ -182,7 +184,7 @@ TEST(RegularWaveMeasure, GivesAResponseOverTheWaveOfTheRunWithoutTheBody) {
 TEST(RegularWaveMeasure, NamesAMissingRunWithoutTheBodyAndMixesNothing) {
     Comparison c;
     c.sources = {box_in_waves(1), box_in_waves(0)};
-    c.sources[1].attributes[std::string(no_empty_twin)] = "it is not finished";
+    c.sources[1].attributes[std::string(no_wave_twin)] = "it is not finished";
     c.names = {"sph", "fvm"};
     add_regular_wave(c);
     const Quantity *over_wave = c.find("heave_over_wave:box"), *asked = c.find("heave_response:box");
@@ -198,6 +200,84 @@ TEST(RegularWaveMeasure, NamesAMissingRunWithoutTheBodyAndMixesNothing) {
     add_regular_wave(c);
     EXPECT_FALSE(c.find("heave_over_wave:box") || c.find("wave_without:box"));
     EXPECT_NE(c.find("heave_response:box")->definition.find("(SPH: it was not run)"), std::string::npos);
+}
+
+/// A hull 1 m long, its centre of mass at x = 0.4 m, that heaves 1.1 times the wave and pitches 0.8 times its slope, by
+/// 40 and 100 degrees before the crest that passes its centre.
+RunRecord hull_in_waves() {
+    RunRecord r = tank(0.04, 0);
+    r.numbers["wave_height"] = 0.04;
+    r.numbers["wave_direction"] = 1;
+    r.numbers["speed"] = 2;
+    Surface hull;
+    hull.points = {{-0.1, 0, 0}, {0.9, 0, 0}, {0.4, 0.1, 0.1}};
+    hull.triangles = {{0, 1, 2}};
+    r.bodies.push_back({hull_motion_table, hull, Vec3(0.4, 0, 0.02)});
+    Table& motion = r.table(hull_motion_table);
+    const double omega = 2 * pi / 0.8, heave = 0.022, pitch = 0.8 * pi * 0.04 * 180 / pi;
+    for (double t = 0; t < 9; t += 0.005) {
+        const double crest = omega * t - 2 * pi * 0.4, h = crest + 40 * pi / 180, p = crest + 100 * pi / 180;
+        const std::size_t row = motion.append(t);
+        motion.set(row, "z", "m", 0.02 + heave * std::cos(h));
+        motion.set(row, "vz", "m/s", -heave * omega * std::sin(h));
+        motion.set(row, "trim", "deg", 4 + pitch * std::cos(p));
+        motion.set(row, "trim_rate", "deg/s", -pitch * omega * std::sin(p));
+    }
+    return r;
+}
+
+TEST(RegularWaveMeasure, GivesResponsePhaseAndAccelerationOfAFreeHull) {
+    Comparison c;
+    c.sources = {hull_in_waves()};
+    c.names = {"sph"};
+    add_regular_wave(c);
+    const auto value = [&](const char* name) {
+        const Quantity* q = c.find(name);
+        return q && q->values[0].known ? q->values[0].value : NAN;
+    };
+    EXPECT_NEAR(value("heave_response:hull"), 1.1, 1e-3);
+    EXPECT_NEAR(value("pitch_response:hull"), 0.8, 1e-3);
+    EXPECT_NEAR(value("heave_phase:hull"), 40, 0.1);
+    EXPECT_NEAR(value("pitch_phase:hull"), 100, 0.1);
+    // over a fortieth of the period a harmonic's is lower by (pi/40)^2/6
+    const double omega = 2 * pi / 0.8, less = 1 - std::pow(pi / 40, 2) / 6;
+    EXPECT_NEAR(value("acceleration_centre:hull"), 0.022 * omega * omega * less, 2e-3);
+    // the bow, 0.5 m ahead: both motions together
+    const double bow = std::abs(std::polar(0.022, 40 * pi / 180) + 0.5 * std::polar(0.8 * pi * 0.04, 100 * pi / 180));
+    EXPECT_NEAR(value("acceleration_bow:hull"), bow * omega * omega * less, 0.01);
+    EXPECT_FALSE(porpoising(c.sources[0])) << "the wave drives it";
+    c.sources[0].numbers.erase("wave_period");
+    EXPECT_TRUE(porpoising(c.sources[0])) << "and without a wave nothing does";
+}
+
+TEST(RegularWaveMeasure, GivesWhatTheWaveAddsToACalmRun) {
+    Comparison c;
+    c.sources = {hull_in_waves(), hull_in_waves()};
+    c.names = {"sph", "fvm"};
+    RunRecord& r = c.sources[0];
+    Table &forces = r.table("forces"), &calm = r.table(std::string(calm_forces_table)),
+          &motion = r.table(std::string(calm_motion_table));
+    for (double t = 0; t < 9; t += 0.005) {
+        const double angle = 2 * pi / 0.8 * t, settled = t > 1 ? 0 : 5;
+        forces.set(forces.append(t), "fx", "N", 14 + 30 * std::cos(angle) + 3 * std::cos(2 * angle));
+        calm.set(calm.append(t), "fx", "N", 11 + settled + 0.1 * std::sin(40 * t));
+        const std::size_t row = motion.append(t);
+        motion.set(row, "z", "m", 0.015);
+        motion.set(row, "trim", "deg", 3.8);
+    }
+    add_added_by_waves(c, {});
+    const Quantity *drag = c.find("added_resistance"), *trim = c.find("added_trim"), *rise = c.find("added_rise");
+    ASSERT_TRUE(drag && trim && rise);
+    EXPECT_NEAR(drag->values[0].value, 3, 0.02);
+    EXPECT_NEAR(trim->values[0].value, 0.2, 1e-4);
+    EXPECT_NEAR(rise->values[0].value, 0.005, 1e-5);
+    EXPECT_FALSE(drag->values[1].known);
+    EXPECT_NE(drag->values[1].why_not.find("not run without the wave"), std::string::npos);
+    c.sources = {hull_in_waves()};
+    c.names = {"sph"};
+    c.quantities.clear();
+    add_added_by_waves(c, {});
+    EXPECT_TRUE(c.quantities.empty()) << "no twin, nothing added";
 }
 
 TEST(RegularWaveMeasure, GivesForceAndDriftOfWhatStandsFixed) {

@@ -318,6 +318,7 @@ inline std::map<std::string, Change> changes() {
         {"wave.direction", set(wavy, "wave", "direction", "0", "\"180 deg\"")},
         {"wave.theory", set(wavy, "wave", "theory", "\"linear\"", "\"stream_function\"")},
         {"wave.empty_twin", set(wavy, "wave", "empty_twin", "\"auto\"", "\"off\"")},
+        {"wave.calm_twin", set(wavy, "wave", "calm_twin", "\"auto\"", "\"off\"")},
         {"wave.spectrum", {random, with(with(random, "peakedness = 3.3\n", ""), "jonswap", "pierson-moskowitz")}},
         {"wave.significant_height", replaced(random, "height = 0.06", "height = 0.065")},
         {"wave.peak_period", replaced(random, "peak_period = 1", "peak_period = 0.98")},

@@ -70,7 +70,6 @@ TEST(FreeHull, IsRefusedWithWhatIsMissingOrCannotBe) {
     refused(with(free_planing, "lcg = 1.6\n", ""), "[hull] lcg", "missing");
     refused(with(free_planing, "free = [\"heave\", \"pitch\"]\n", ""), "[hull] mass", "for a hull that is free");
     refused(with(free_planing, "\"pitch\"]", "\"surge\"]"), "[hull] free", "pitch");
-    refused(free_planing + "[wave]\nheight = 0.3\nlength = 30\n", "[hull] free", "in a stream with waves");
     refused(with(free_planing, "kind  = \"stream\"\nspeed = \"8 m/s\"", "kind = \"none\""), "[hull] free", "[[body]]");
     refused(free_planing + "[sph]\nscheme = \"rk4_frozen_diffusion\"\n", "[sph] scheme", "kick_drift_kick");
     refused(with(free_planing, keys, keys + "release = 2\n"), "[hull] release", "held to the end");

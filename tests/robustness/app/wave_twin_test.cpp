@@ -5,7 +5,7 @@
 #include "program.h"
 
 namespace tw::test {
-namespace empty_twin_test {
+namespace wave_twin_test {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -68,5 +68,5 @@ TEST_F(Command, ASceneMaySayThatABodyInAWaveIsNotRunWithoutIt) {
     EXPECT_TRUE(has(taken.err, "a height gauge is named without_box")) << taken.err;
 }
 
-}  // namespace empty_twin_test
+}  // namespace wave_twin_test
 }  // namespace tw::test

@@ -1,17 +1,18 @@
 // The empty twin of a scene with bodies in a wave: what is left out, and all else the same.
-#include "scene/empty_twin.h"
+#include "scene/wave_twin.h"
 
 #include <algorithm>
 
-#include "record/empty_twin.h"
 #include "record/run_record.h"
+#include "record/wave_twin.h"
+#include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
 #include "scene_text.h"
 
 namespace tw::test {
-namespace empty_twin_of_scene_test {
+namespace wave_twin_of_scene_test {
 
 std::string box_in_waves(const std::string& wave = "", const std::string& density = "500") {
     return "[tank]\nmin = [-2, 0, -0.24]\nmax = [1.6, 0.01, 0.12]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.04\n"
@@ -24,7 +25,7 @@ std::string box_in_waves(const std::string& wave = "", const std::string& densit
 }
 Scene twin_of(const std::string& text) {
     SceneOverrides empty;
-    empty.empty_twin = true;
+    empty.wave_twin = true;
     return scene_of(text, empty);
 }
 
@@ -52,34 +53,73 @@ TEST(EmptyTwin, KnowsTheRunThatItBelongsTo) {
     const Scene s = scene_of(box_in_waves()), twin = twin_of(box_in_waves());
     for (const char* method : {"sph", "fvm"}) {
         const RunRecord record = new_record(twin, method);
-        EXPECT_EQ(record.attributes.at(std::string(empty_twin_of_run)), run_hash(s, method));
-        EXPECT_FALSE(new_record(s, method).attributes.contains(std::string(empty_twin_of_run)));
+        EXPECT_EQ(record.attributes.at(std::string(wave_twin_of_run)), run_hash(s, method));
+        EXPECT_FALSE(new_record(s, method).attributes.contains(std::string(wave_twin_of_run)));
         EXPECT_NE(run_hash(twin, method), run_hash(s, method));
     }
     EXPECT_NE(twin_of(box_in_waves("", "400")).hash, twin.hash) << "of another body it is run anew";
     SceneOverrides coarse;
-    coarse.empty_twin = true;
+    coarse.wave_twin = true;
     coarse.near_hull = 0.008;
     EXPECT_EQ(family_hash(scene_of(box_in_waves(), coarse), "sph"), family_hash(twin, "sph"));
 }
 
 TEST(EmptyTwin, IsWantedInTwoDimensionsWithAFreeBodyInARegularWave) {
-    EXPECT_TRUE(wants_empty_twin(scene_of(box_in_waves())));
-    EXPECT_TRUE(wants_empty_twin(scene_of(box_in_waves("empty_twin = \"on\"\n"))));
-    EXPECT_FALSE(wants_empty_twin(scene_of(box_in_waves("empty_twin = \"off\"\n"))));
-    EXPECT_FALSE(wants_empty_twin(twin_of(box_in_waves()))) << "or it would have a twin of its own";
+    EXPECT_TRUE(wants_wave_twin(scene_of(box_in_waves())));
+    EXPECT_TRUE(wants_wave_twin(scene_of(box_in_waves("empty_twin = \"on\"\n"))));
+    EXPECT_FALSE(wants_wave_twin(scene_of(box_in_waves("empty_twin = \"off\"\n"))));
+    EXPECT_FALSE(wants_wave_twin(twin_of(box_in_waves()))) << "or it would have a twin of its own";
     std::string empty = box_in_waves();
     empty.erase(empty.find("[[body]]"));
-    EXPECT_FALSE(wants_empty_twin(scene_of(empty)));
+    EXPECT_FALSE(wants_wave_twin(scene_of(empty)));
     EXPECT_NE(complaint(with(empty, "length = 1\n", "length = 1\nempty_twin = \"on\"\n")).find("no free rigid body"),
               std::string::npos);
     EXPECT_EQ(scene_of(box_in_waves("empty_twin = \"off\"\n")).hash, scene_of(box_in_waves()).hash);
     SceneOverrides twin;
-    twin.empty_twin = true;
+    twin.wave_twin = true;
     EXPECT_NE(complaint(with(box_in_waves(), "\"before\"", "\"without_box\""), twin)
                   .find("a height gauge is named without_box"),
               std::string::npos);
 }
 
-}  // namespace empty_twin_of_scene_test
+/// A hull held in a stream with a head wave, two dimensions.
+std::string hull_in_waves(const std::string& wave = "") {
+    return "[hull]\nshape = \"cylinder\"\ndiameter = 0.1\nspan = 1\ndraft = 0.25\n[motion]\nkind = \"stream\"\n"
+           "speed = 0.6\n[domain]\ndimensions = 2\nahead = 0.8\nbehind = 0.8\nbelow = 0.4\nabove = 0.14\n[wave]\n"
+           "height = 0.06\nlength = 1\n" +
+           wave + "[resolution]\nnear_hull = 0.0125\n";
+}
+
+TEST(CalmTwin, HasNoWaveAndAllElseAsWithIt) {
+    const Scene s = scene_of(hull_in_waves()), twin = twin_of(hull_in_waves());
+    EXPECT_TRUE(wants_wave_twin(s));
+    EXPECT_FALSE(twin.has_wave());
+    EXPECT_FALSE(wants_wave_twin(twin));
+    ASSERT_TRUE(twin.hull);
+    EXPECT_EQ(twin.domain.box.min, s.domain.box.min);
+    EXPECT_EQ(twin.domain.box.max, s.domain.box.max);
+    EXPECT_EQ(twin.run.duration, s.run.duration);
+    EXPECT_EQ(twin.sampling.mean_from, s.sampling.mean_from);
+    EXPECT_EQ(twin.sph.c0, s.sph.c0);
+    EXPECT_EQ(twin.sph.alpha, s.sph.alpha);
+    EXPECT_EQ(twin.sph.h_over_dp, s.sph.h_over_dp);
+    EXPECT_EQ(twin.fvm.max_courant, s.fvm.max_courant);
+    for (const char* method : {"sph", "fvm"}) {
+        EXPECT_EQ(new_record(twin, method).attributes.at(std::string(wave_twin_of_run)), run_hash(s, method));
+        EXPECT_NE(run_hash(twin, method), run_hash(s, method));
+    }
+    const ForcingZones zones = forcing_zones(twin);
+    ASSERT_EQ(zones.zones.size(), forcing_zones(s).zones.size());
+    for (const ForcingZone& zone : zones.zones) EXPECT_FALSE(zone.makes_wave);
+}
+
+TEST(CalmTwin, IsMadeWhereTheSceneWantsIt) {
+    EXPECT_FALSE(wants_wave_twin(scene_of(hull_in_waves("calm_twin = \"off\"\n"))));
+    EXPECT_TRUE(wants_wave_twin(scene_of(hull_in_waves("calm_twin = \"on\"\n"))));
+    EXPECT_NE(complaint(box_in_waves("calm_twin = \"on\"\n")).find("a hull in a stream"), std::string::npos);
+    EXPECT_EQ(folder_of_twins(scene_of(hull_in_waves())), calm_twins_folder);
+    EXPECT_EQ(folder_of_twins(scene_of(box_in_waves())), empty_twins_folder);
+}
+
+}  // namespace wave_twin_of_scene_test
 }  // namespace tw::test
