@@ -1,4 +1,5 @@
 #include "foam_cases/files/case_files.h"
+#include "meshes/query.h"
 #include "scene/new_record.h"
 
 namespace tw {
@@ -113,17 +114,33 @@ Dictionary free_surface(const CasePlan& plan) {
                           every_write(plan.snapshot_every));
 }
 
-Dictionary probes(const CasePlan& plan, const List& fields, const std::vector<Vec3>& places,
-                  const char* interpolation) {
+Dictionary probes(const CasePlan& plan, const List& fields, const std::vector<Vec3>& places, const char* interpolation,
+                  bool in_cells_of_the_start = false) {
     List points;
     for (const Vec3& p : places) points.push_back(p);
     Dictionary d{{"type", Word("probes")}, {"libs", plan.flavour.library("sampling")}};
     d.add(every_step());
     d.add({{"fields", fields},
-           {"fixedLocations", true},
+           {"fixedLocations", !in_cells_of_the_start},
            {"interpolationScheme", Word(interpolation)},
            {"probeLocations", points}});
     return d;
+}
+
+/// Whether the cells at these places stay where they are while the mesh follows a free body. OpenFOAM seeks the cells of
+/// fixed places again, by a tree of all cells, each time that the mesh has moved: in every outer corrector, for twice
+/// the time of all else (decision 032).
+bool cells_stay(const CasePlan& plan, const std::vector<Vec3>& places) {
+    if (plan.mesh_motion.kind != MeshMotion::Kind::morphing || plan.moving().motion.law) return false;
+    // half the size of a cell away its corners still move, and OpenFOAM's distances are those between points
+    const double most = plan.mesh_motion.outer + 1.5 * plan.background_cell;
+    for (const Solid& solid : plan.solids) {
+        if (!solid.moves) continue;
+        const SurfaceQuery surface(solid.surface);
+        for (const Vec3& place : places)
+            if (surface.nearest(place, most).triangle >= 0) return false;
+    }
+    return true;
 }
 
 /// No step is longer than a fiftieth of the time since the release, nor need be shorter than the first cap (release.cpp).
@@ -169,7 +186,8 @@ Dictionary functions(const CasePlan& plan) {
     std::vector<Vec3> columns;
     for (const auto& column : plan.height_columns)
         for (const auto& point : column) columns.push_back(point.place);
-    if (!columns.empty()) f.add("heightColumns", probes(plan, {Word("alpha.water")}, columns, "cell"));
+    if (!columns.empty())
+        f.add("heightColumns", probes(plan, {Word("alpha.water")}, columns, "cell", cells_stay(plan, columns)));
     // A file of this name in the case folder ends the run after writing its state.
     const Dictionary stop{{"type", Word(plan.flavour.stop_file_object())},
                           {"libs", plan.flavour.library("utilityFunctionObjects")},

@@ -306,6 +306,33 @@ TEST(CaseFiles, StepsOfABodyReleasedAtRestAreAFiftiethOfTheTimeSince) {
     EXPECT_FALSE(released_in_air(plan_case(scene, v1912))) << "it is under water";
 }
 
+// Cells of fixed places are sought again whenever the mesh has moved, for twice the time of the rest of a step.
+TEST(CaseFiles, GaugesBeyondTheMorphedCellsKeepTheCellsThatTheyHave) {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(-2, 0, -0.5), Vec3(2, 0.02, 0.5)};
+    scene.water_blocks.clear();
+    MovingBody& b = scene.bodies.emplace_back();
+    b.name = "box";
+    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.1}});
+    const double down = 0.05 + b.surface.bounds().min.z();
+    for (Vec3& p : b.surface.points) p.z() -= down;
+    b.motion.mass = {10, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+    b.motion.free = {{false, false, true}, {false, false, false}};
+    scene.fvm.body_mesh = "morphing";
+    const auto at = [&](double x) {
+        scene.sampling.height = {{.name = "gauge", .x = x, .y = 0.01}};
+        const std::string control = control_dict(plan_case(scene, v1912));
+        return control.substr(control.find("heightColumns"));
+    };
+    const double edge = b.surface.bounds().max.x() + plan_case(scene, v1912).mesh_motion.outer;
+    EXPECT_SAYS(at(edge + 0.05), "fixedLocations no;");
+    EXPECT_SAYS(at(edge - 0.05), "fixedLocations yes;") << "its cells move";
+    scene.fvm.body_mesh = "whole";
+    EXPECT_SAYS(at(1.5), "fixedLocations yes;") << "all cells move";
+    scene.bodies.clear();
+    EXPECT_SAYS(at(1.5), "fixedLocations yes;") << "none moves";
+}
+
 // Its first steps are run to find the speed with which it has to be released (run/first_steps.h).
 TEST(CaseFiles, ABodyThatComesThroughTheAirIsReleasedFaster) {
     Scene scene = dam_break_scene();
