@@ -313,7 +313,7 @@ TEST(CaseFiles, GaugesBeyondTheMorphedCellsKeepTheCellsThatTheyHave) {
     scene.water_blocks.clear();
     MovingBody& b = scene.bodies.emplace_back();
     b.name = "box";
-    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 0.004}, {"height", 0.1}});
+    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.1}});
     const double down = 0.05 + b.surface.bounds().min.z();
     for (Vec3& p : b.surface.points) p.z() -= down;
     b.motion.mass = {10, Vec3::Zero(), Eigen::Matrix3d::Identity()};
@@ -324,7 +324,7 @@ TEST(CaseFiles, GaugesBeyondTheMorphedCellsKeepTheCellsThatTheyHave) {
         const std::string control = control_dict(plan_case(scene, v1912));
         return control.substr(control.find("heightColumns"));
     };
-    const double edge = 0.1 + plan_case(scene, v1912).mesh_motion.outer;
+    const double edge = b.surface.bounds().max.x() + plan_case(scene, v1912).mesh_motion.outer;
     EXPECT_SAYS(at(edge + 0.05), "fixedLocations no;");
     EXPECT_SAYS(at(edge - 0.05), "fixedLocations yes;") << "its cells move";
     scene.fvm.body_mesh = "whole";
