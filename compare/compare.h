@@ -15,11 +15,11 @@ namespace tw {
 struct MeanValue : SettledMean {
     MeanValue() = default;
     MeanValue(const SettledMean& mean) : SettledMean(mean) {}
-    /// What runs of other sizes tell (ladder/judge_by_sizes.h), half widths; nan: not estimated, or there is none.
+    /// Half widths from runs of other sizes (ladder/judge_by_sizes.h); nan: not estimated, or there is none.
     double discretisation = std::numeric_limits<double>::quiet_NaN();  ///< [unit]
-    double choices = std::numeric_limits<double>::quiet_NaN();         ///< box, sound speed, time step, uncertain input
-    double uncertainty = std::numeric_limits<double>::quiet_NaN();     ///< of all of it [unit]
-    std::string no_uncertainty;                                        ///< why the other sizes gave none
+    double choices = std::numeric_limits<double>::quiet_NaN();  ///< box, sound speed, time step, uncertain input [unit]
+    double uncertainty = std::numeric_limits<double>::quiet_NaN();  ///< of all of it [unit]
+    std::string no_uncertainty;                                     ///< why the other sizes gave none
     /// What reading the value off its history leaves open below and above it (threshold, spacing, sampling), which no run
     /// of another size shows [unit]; in the outer interval alone (verdict/left_out.h). `reading_of`: what that is.
     double reading_below = 0, reading_above = 0;  ///< [unit]
@@ -80,7 +80,7 @@ struct Quantity : Difference {
     }
 };
 
-/// What an empirical formula or another reference says of a quantity; shown beside, never part of a verdict.
+/// The value of a quantity by an empirical formula or another reference; shown beside, never part of a verdict.
 struct Reference {
     std::string quantity, unit;        ///< name of the quantity it stands beside
     std::string source;                ///< "Savitsky 1964"
@@ -92,7 +92,7 @@ struct Reference {
 };
 
 /// One validity check of one run, of its record or made while it ran (certificate): value against limit.
-struct Gate {
+struct ValidityCheck {
     std::string name, source, unit;  ///< source: the run's name
     double value = 0, limit = 0;     ///< [unit]
     bool pass = false;
@@ -108,7 +108,7 @@ struct Cut {
         deviation;  ///< [m]; elevation NaN under the hull; deviation: standard, over time
 };
 
-/// What is worked out of one record before anything is compared.
+/// The results that follow from one record alone, before anything is compared.
 struct Analysis {
     Table splash;                ///< splash measures per raster frame, see metrics/splash.h
     std::vector<Table> entries;  ///< cavity and crown of each body that moves, per raster frame, see metrics/entry.h
@@ -126,14 +126,15 @@ struct Comparison {
     std::vector<Analysis> analyses;  ///< one per source
     std::vector<Quantity> quantities;
     std::vector<Reference> references;
-    std::vector<Gate> gates;
-    std::vector<std::string> banners;  ///< warnings that stand on top of the report
-    std::string walls;                 ///< what those of its box do to the loads (metrics/box_walls.h); empty: little
-    double agree_within = 0.05;        ///< [-]
-    std::string discretisation_from;   ///< "runs of 3 sizes", "the coarser runs of prism, 6 m/s"; empty: not estimated
+    std::vector<ValidityCheck> checks;
+    std::vector<std::string>
+        banners;                 ///< warnings that stand on top of the report, see all_banners in metrics/box_walls.h
+    std::string walls;           ///< what those of its box do to the loads (metrics/box_walls.h); empty: little
+    double agree_within = 0.05;  ///< [-]
+    std::string discretisation_from;  ///< "runs of 3 sizes", "the coarser runs of prism, 6 m/s"; empty: not estimated
 
     const Quantity* find(const std::string& name) const;
-    /// Of a source that failed: what it recorded stands in the tables, and no difference is taken from it.
+    /// A source that failed: its values stand in the tables, and no difference is taken from them.
     bool failed(std::size_t source) const { return sources[source].state == "failed"; }
 };
 

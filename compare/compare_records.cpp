@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/errors.h"
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 #include "compare/metrics/bodies.h"
 #include "compare/metrics/box_walls.h"
 #include "compare/metrics/elevation.h"
@@ -293,8 +293,8 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_savitsky(comparison);
     add_planing_plate(comparison);
     for (std::size_t i = 0; i < comparison.sources.size(); ++i)
-        for (Gate& gate : check_gates(comparison.sources[i], comparison.names[i]))
-            comparison.gates.push_back(std::move(gate));
+        for (ValidityCheck& check : checks_of(comparison.sources[i], comparison.names[i]))
+            comparison.checks.push_back(std::move(check));
     return comparison;
 }
 

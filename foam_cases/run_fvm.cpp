@@ -27,6 +27,7 @@
 #include "foam_cases/run/watchdog.h"
 #include "foam_cases/take_up.h"
 #include "foam_cases/write_case.h"
+#include "methods/names.h"
 #include "scene/new_record.h"
 #include "scene/run/run_end.h"
 
@@ -47,7 +48,7 @@ public:
           record_file_(options.folder / "record.h5"),
           plan_(plan_case(scene, openfoam)),
           openfoam_(openfoam),
-          record_(new_record(scene, "fvm")) {
+          record_(new_record(scene, fvm_method)) {
         note_prediction(record_, options);
     }
 
@@ -130,7 +131,7 @@ private:
             const auto found = r.attributes.find(name);
             return found == r.attributes.end() ? std::string() : found->second;
         };
-        if (said(earlier, "method") != "fvm" || said(earlier, "hull_hash") != said(record_, "hull_hash"))
+        if (said(earlier, "method") != fvm_method || said(earlier, "hull_hash") != said(record_, "hull_hash"))
             throw InputError(record_file_.string() +
                              ": is not a record of this scene's hull and method; begin anew with --overwrite");
         const std::string begun_with = said(earlier, "openfoam");

@@ -6,13 +6,14 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "methods/names.h"
 
 namespace tw {
 
 const std::vector<Method>& methods() {
     static const std::vector<Method> rows{
-        {.name = "sph", .label = "SPH", .elements = "particles"},
-        {.name = "fvm", .label = "interFoam", .elements = "cells"},
+        {.name = sph_method, .label = "SPH", .elements = "particles"},
+        {.name = fvm_method, .label = "interFoam", .elements = "cells"},
     };
     return rows;
 }

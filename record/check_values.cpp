@@ -54,10 +54,9 @@ public:
 
 private:
     [[noreturn]] void refuse(const std::string& key, double value, const std::string& expected) const {
-        throw InputError(
-            fmt::format("{}: {} = {}; expected {}: the record is damaged, or a program made it that is at "
-                        "fault; run it again",
-                        file_, key, value, expected));
+        throw InputError(fmt::format(
+            "{}: {} = {}; expected {}: the record is damaged, or the program that wrote it is faulty; run it again",
+            file_, key, value, expected));
     }
     const std::string& file_;
 };

@@ -247,9 +247,9 @@ RunRecord read_here(const fs::path& file) {
     } catch (const h5::Failure& f) {
         throw InputError(file.string() + ": cut off or damaged: " + f.what);
     } catch (const std::bad_alloc&) {
-        throw InputError(file.string() + ": damaged: an array in it claims more than the memory holds");
+        throw InputError(file.string() + ": damaged: an array in it claims more bytes than the memory holds");
     } catch (const std::length_error&) {
-        throw InputError(file.string() + ": damaged: an array in it claims a senseless size");
+        throw InputError(file.string() + ": damaged: the size that an array in it claims is impossible");
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/sha256.h"
 #include "methods/methods.h"
+#include "methods/names.h"
 #include "scene/effects/registry.h"
 #include "scene/keys/keys.h"
 #include "scene/mesh/edge_refinement.h"
@@ -227,7 +228,7 @@ std::string numerics_of(const Scene& scene, const std::string& method) {
     // how a run begins
     if (scene.motion.kind == Motion::Kind::stream) t.add("ramp", {scene.motion.ramp});
     if (scene.hull_is_free()) t.add("release", {scene.hull->free->motion.release});
-    if (method == "fvm")
+    if (method == fvm_method)
         if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
             t.add("edge_halvings", {static_cast<double>(shedding.halvings)});
     return t.text();

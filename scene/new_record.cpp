@@ -4,7 +4,11 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <map>
+#include <stdexcept>
 
+#include "methods/methods.h"
+#include "methods/names.h"
 #include "record/certificate.h"
 #include "record/code_version.h"
 #include "record/hull_motion.h"
@@ -54,19 +58,23 @@ std::string surface_cells(const Scene& scene) {
     return text.empty() ? "none" : text;
 }
 
-/// As set up: the particles' zones, or the mesh's boxes; of a method that has no finer places the largest size alone.
+/// As set up: the mesh's boxes, or the particles' zones.
 std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& method) {
     std::vector<ResolvedBox> finer;
     double largest = scene.resolution.spacing;
-    if (method == "fvm")
+    const std::string elements = elements_of(method);
+    if (elements == "cells") {
         for (const RefinementBox& r : scene.refinement) finer.push_back({largest / std::exp2(r.level), r.box});
-    if (method == "sph") {
+    } else if (elements == "particles") {
         const std::vector<Zone> zones = particle_zones(scene);
         double size = largest = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size()));
         for (const Zone& zone : zones) {
             size /= 2;
             for (const Box& box : zone.sliced()) finer.push_back({size, box});
         }
+    } else {
+        throw std::logic_error(method + " solves on " + elements +
+                               ": new_record.cpp does not say where they are finer");
     }
     return resolution_within({largest, scene.domain.box}, finer);
 }
@@ -113,12 +121,10 @@ void note_free_hull(RunRecord& record, const Hull& hull) {
     record.numbers["rest_transom_draft"] = rest->transom_draft;
 }
 
-}  // namespace
-
-RunRecord new_record(const Scene& scene, const std::string& method) {
-    RunRecord record;
+/// What is solved, with what program, on which machine.
+std::map<std::string, std::string> provenance(const Scene& scene, const std::string& method) {
     const Vec3 reference = moment_reference(scene);
-    record.attributes = {
+    return {
         {"method", method},
         {"title", scene.title},
         {"scene_file", scene.file.filename().string()},
@@ -135,9 +141,13 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         {"motion", scene.motion.kind == Motion::Kind::stream ? "stream" : "none"},
         {"surface_cells", surface_cells(scene)},
     };
-    record.numbers = {
+}
+
+std::map<std::string, double> numbers_of(const Scene& scene) {
+    return {
         {"spacing", scene.resolution.spacing},
         {"near_hull", scene.resolution.near_hull},
+        {"size_scale", scene.resolution.scale},  // of --scale or --budget: how many times the scene's sizes
         {"density", scene.water.density},
         {"kinematic_viscosity", scene.water.kinematic_viscosity},
         {"gravity", scene.water.gravity},
@@ -149,20 +159,31 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         {"sampling_interval", scene.sampling.interval},
         {"dimensions", scene.domain.dimensions},
     };
+}
+
+void note_domain(RunRecord& record, const Scene& scene) {
+    const auto note = [&](const std::string& name, const Box& box, const std::string& axes) {
+        for (std::size_t k = 0; k < axes.size(); ++k) {
+            record.numbers[name + "_" + axes[k] + "_min"] = box.min[static_cast<Eigen::Index>(k)];
+            record.numbers[name + "_" + axes[k] + "_max"] = box.max[static_cast<Eigen::Index>(k)];
+        }
+    };
+    note("domain", scene.domain.box, "xyz");
+    if (scene.effect_on("forcing_zones") && scene.motion.kind == Motion::Kind::stream)
+        note("undamped", scene.domain.undamped, "xy");
+}
+
+/// Water that is released by a gate or meets a lower level behind the hull, and the energy of its surface.
+void note_water_at_start(RunRecord& record, const Scene& scene) {
     if (scene.motion.kind != Motion::Kind::stream)
         if (const double height = released_height(scene); height > 0) record.numbers["released_height"] = height;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::string axis(1, "xyz"[k]);
-        record.numbers["domain_" + axis + "_min"] = scene.domain.box.min[static_cast<Eigen::Index>(k)];
-        record.numbers["domain_" + axis + "_max"] = scene.domain.box.max[static_cast<Eigen::Index>(k)];
-    }
     if (tailwater(scene)) record.numbers["fastest_stream"] = fastest_stream(scene);
-    if (scene.effect_on("forcing_zones") && scene.motion.kind == Motion::Kind::stream)
-        for (Eigen::Index k = 0; k < 2; ++k) {
-            const std::string axis(1, "xy"[k]);
-            record.numbers["undamped_" + axis + "_min"] = scene.domain.undamped.min[k];
-            record.numbers["undamped_" + axis + "_max"] = scene.domain.undamped.max[k];
-        }
+    if (scene.effect_on("surface_tension"))
+        record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
+}
+
+/// The filters of peaks, and where the surface is cut.
+void note_sampling(RunRecord& record, const Scene& scene) {
     const auto add_filter = [&](const std::string& table, const std::string& name, double filter) {
         if (filter > 0) record.numbers[peak_filter(table, name)] = filter;
     };
@@ -179,9 +200,9 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers[fmt::format("cut_x_{}", k)] = scene.sampling.cuts_x[k];
     for (std::size_t k = 0; k < scene.sampling.cuts_y.size(); ++k)
         record.numbers[fmt::format("cut_y_{}", k)] = scene.sampling.cuts_y[k];
-    if (scene.effect_on("surface_tension"))
-        record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
-    record.numbers["size_scale"] = scene.resolution.scale;  // of --scale or --budget: how many times the scene's sizes
+}
+
+void note_waves(RunRecord& record, const Scene& scene) {
     if (scene.wave) {
         const RegularWave& wave = *scene.wave;
         record.numbers["wave_height"] = wave.height;
@@ -191,12 +212,16 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.numbers["wave_trough"] = wave.trough;
         record.numbers["wave_direction"] = wave.sum.direction;
     }
-    if (const auto of = scene.wave_twin_of.find(method); of != scene.wave_twin_of.end())
-        record.attributes[std::string(wave_twin_of_run)] = of->second;
     if (scene.sea) note_sea(record, scene);
     if (scene.has_wave())
         for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
-    if (method == "sph") {
+}
+
+/// What this method alone is set to, and the finer places of its solution.
+void note_method(RunRecord& record, const Scene& scene, const std::string& method) {
+    if (const auto of = scene.wave_twin_of.find(method); of != scene.wave_twin_of.end())
+        record.attributes[std::string(wave_twin_of_run)] = of->second;
+    if (method == sph_method) {
         record.numbers["h_over_dp"] = scene.sph.h_over_dp;
         record.numbers["c0"] = scene.sph.c0;
         record.numbers["alpha"] = scene.sph.alpha;
@@ -206,64 +231,80 @@ RunRecord new_record(const Scene& scene, const std::string& method) {
         record.attributes["equation_of_state"] = scene.sph.equation_of_state;
         record.attributes["time_scheme"] = scene.sph.scheme;
     }
-    if (method == "fvm") {
+    if (method == fvm_method) {
         record.numbers["max_courant_limit"] = scene.fvm.max_courant;
         record.attributes["interface"] = scene.fvm.interface;
         record.numbers["interface_compression"] = scene.fvm.interface_compression;
     }
-    if (scene.hull) {
-        const Hull& hull = *scene.hull;
-        record.attributes["hull_hash"] = hull.hash;
-        record.attributes["hull_source"] = hull.source;
-        record.numbers["length"] = hull.length;
-        record.numbers["beam"] = hull.beam;
-        record.numbers["trim"] = hull.trim;
-        record.numbers["heel"] = hull.heel;
-        record.numbers["draft"] = hull.draft;
-        record.numbers["displaced_volume"] = hull.still.volume;
-        if (const std::string walls = wall_warning(scene); !walls.empty()) record.attributes["box_walls"] = walls;
-        if (const std::string channel = channel_text(scene); !channel.empty()) record.attributes["channel"] = channel;
-        if (const std::optional<SprayJet> jet = thin_jet(scene)) {
-            record.numbers["jet_thickness"] = jet->thickness;
-            record.numbers["jet_spacing"] = jet->size;
-        }
-        if (hull.free) {
-            note_free_hull(record, hull);
-            record.bodies.push_back({hull_motion_table, hull.surface, hull.free->motion.mass.centre});
-        }
-        record.hull = hull.surface;
-        for (std::size_t k = 0; k < hull.findings.size(); ++k)
-            record.attributes[fmt::format("hull_finding_{:02}", k)] =
-                hull.findings[k].name + ": " + hull.findings[k].message;
-        for (std::size_t k = 0; k < hull.repairs.size(); ++k)
-            record.attributes[fmt::format("hull_repair_{:02}", k)] = hull.repairs[k];
+    if (find_method(method)) record.resolution = resolution_of(scene, method);  // a table that is imported has none
+}
+
+/// Each as "name: message", under `prefix` and its place in the list.
+void note_findings(RunRecord& record, const std::string& prefix, const std::vector<Finding>& findings) {
+    for (std::size_t k = 0; k < findings.size(); ++k)
+        record.attributes[fmt::format("{}_{:02}", prefix, k)] = findings[k].name + ": " + findings[k].message;
+}
+
+void note_hull(RunRecord& record, const Scene& scene) {
+    const Hull& hull = *scene.hull;
+    record.attributes["hull_hash"] = hull.hash;
+    record.attributes["hull_source"] = hull.source;
+    record.numbers["length"] = hull.length;
+    record.numbers["beam"] = hull.beam;
+    record.numbers["trim"] = hull.trim;
+    record.numbers["heel"] = hull.heel;
+    record.numbers["draft"] = hull.draft;
+    record.numbers["displaced_volume"] = hull.still.volume;
+    if (const std::string walls = wall_warning(scene); !walls.empty()) record.attributes["box_walls"] = walls;
+    if (const std::string channel = channel_text(scene); !channel.empty()) record.attributes["channel"] = channel;
+    if (const std::optional<SprayJet> jet = thin_jet(scene)) {
+        record.numbers["jet_thickness"] = jet->thickness;
+        record.numbers["jet_spacing"] = jet->size;
     }
-    for (const Obstacle& o : scene.obstacles)
-        record.bodies.push_back({obstacle_table(o.name), o.surface, Vec3::Zero()});
-    for (const MovingBody& b : scene.bodies) {
-        record.numbers["mass_" + b.name] = b.motion.mass.mass;
-        if (!b.elastic || method != "sph")  // that bends
-            record.bodies.push_back({body_table(b.name), b.surface, b.motion.mass.centre});
-        for (std::size_t k = 0; k < b.findings.size(); ++k)
-            record.attributes[fmt::format("finding_{}_{:02}", b.name, k)] =
-                b.findings[k].name + ": " + b.findings[k].message;
-        if (!b.elastic) continue;
-        const bool bends = method == "sph";
-        record.attributes["structure"] = bends ? "elastic" : "rigid";
-        record.attributes["compliance"] =
-            "body " + b.name +
-            (bends ? " bends here"
-                   : " is rigid here: a difference from a run in which it bends contains its compliance");
+    if (hull.free) {
+        note_free_hull(record, hull);
+        record.bodies.push_back({hull_motion_table, hull.surface, hull.free->motion.mass.centre});
     }
-    if (scene.tank_motion) record.attributes["tank_moves"] = "yes";
-    for (const MeasuredValue& m : scene.measured) note_measured(record, m);
-    const std::vector<Finding> doubts = doubtful_input(scene);
-    for (std::size_t k = 0; k < doubts.size(); ++k)
-        record.attributes[fmt::format("scene_finding_{:02}", k)] = doubts[k].name + ": " + doubts[k].message;
+    record.hull = hull.surface;
+    note_findings(record, "hull_finding", hull.findings);
+    for (std::size_t k = 0; k < hull.repairs.size(); ++k)
+        record.attributes[fmt::format("hull_repair_{:02}", k)] = hull.repairs[k];
+}
+
+/// An elastic body bends in runs of particles; a mesh solves the water around it as if it were rigid.
+void note_body(RunRecord& record, const MovingBody& b, const std::string& method) {
+    const bool bends = b.elastic && method == sph_method;
+    record.numbers["mass_" + b.name] = b.motion.mass.mass;
+    if (!bends) record.bodies.push_back({body_table(b.name), b.surface, b.motion.mass.centre});
+    note_findings(record, "finding_" + b.name, b.findings);
+    if (!b.elastic) return;
+    record.attributes["structure"] = bends ? "elastic" : "rigid";
+    record.attributes["compliance"] =
+        "body " + b.name +
+        (bends ? " bends here" : " is rigid here: a difference from a run in which it bends contains its compliance");
+}
+
+}  // namespace
+
+RunRecord new_record(const Scene& scene, const std::string& method) {
+    RunRecord record;
+    record.attributes = provenance(scene, method);
+    record.numbers = numbers_of(scene);
     record.scene_text = scene.text;
     record.raster = scene.sampling.raster;
     record.effects = scene.effects;
-    if (find_method(method)) record.resolution = resolution_of(scene, method);  // a table that is imported has none
+    note_domain(record, scene);
+    note_water_at_start(record, scene);
+    note_sampling(record, scene);
+    note_waves(record, scene);
+    note_method(record, scene, method);
+    if (scene.hull) note_hull(record, scene);
+    for (const Obstacle& o : scene.obstacles)
+        record.bodies.push_back({obstacle_table(o.name), o.surface, Vec3::Zero()});
+    for (const MovingBody& b : scene.bodies) note_body(record, b, method);
+    if (scene.tank_motion) record.attributes["tank_moves"] = "yes";
+    for (const MeasuredValue& m : scene.measured) note_measured(record, m);
+    note_findings(record, "scene_finding", doubtful_input(scene));
     return record;
 }
 

@@ -36,9 +36,9 @@ const char* to_string(Stability stability) {
     return names[static_cast<int>(stability)];
 }
 
-const std::vector<StabilityGate>& stability_gates() {
+const std::vector<StabilityLimit>& stability_limits() {
     constexpr double density = 100 * largest_density_deviation;
-    static const std::vector<StabilityGate> gates = {
+    static const std::vector<StabilityLimit> limits = {
         {"particles lost", "-", 0, 0, "it violates a physical law", "walls are closed"},
         {"particles missing", "-", 0, 0, "it violates a physical law", "mass is kept"},
         {"energy made", "%", 0.1, 1, "it violates a physical law",
@@ -54,7 +54,7 @@ const std::vector<StabilityGate>& stability_gates() {
         {"rarefaction", "%", 5, density, "water torn", "as for compression"},
         {"step held down", "-", 20, HUGE_VAL, "time step collapsed", "as in the validity checks of a run"},
     };
-    return gates;
+    return limits;
 }
 
 StabilityJudgement judge_stability(const HardCase& c, const HardCaseRun& run) {
@@ -73,22 +73,22 @@ StabilityJudgement judge_stability(const HardCase& c, const HardCaseRun& run) {
     else if (!(run.steps > 0))
         beyond(Stability::failed, "", "nothing was run");
     double nearest = -1;
-    for (const StabilityGate& gate : stability_gates()) {
-        const auto line = std::ranges::find(run.lines, gate.line, &CertificateLine::name);
+    for (const StabilityLimit& limit : stability_limits()) {
+        const auto line = std::ranges::find(run.lines, limit.line, &CertificateLine::name);
         if (line == run.lines.end()) continue;
         const double value = line->value;
-        if (!(value <= gate.warned)) {
-            std::string meaning = gate.meaning;
+        if (!(value <= limit.warned)) {
+            std::string meaning = limit.meaning;
             if (meaning == slow_sound && c.cfl > stated_courant_limit) meaning = "time step too long or c0 too low";
-            const std::string unit = gate.unit == "-" ? "" : " " + gate.unit;
-            const bool warned = value <= gate.failed;
+            const std::string unit = limit.unit == "-" ? "" : " " + limit.unit;
+            const bool warned = value <= limit.failed;
             beyond(warned ? Stability::warned : Stability::failed, meaning,
-                   fmt::format("{} {:.3g}{} above {:g}{}", gate.line, value, unit, warned ? gate.warned : gate.failed,
-                               unit));
+                   fmt::format("{} {:.3g}{} above {:g}{}", limit.line, value, unit,
+                               warned ? limit.warned : limit.failed, unit));
         }
-        double share = gate.warned > 0 ? value / gate.warned : value > 0 ? HUGE_VAL : 0;
+        double share = limit.warned > 0 ? value / limit.warned : value > 0 ? HUGE_VAL : 0;
         if (std::isnan(value)) share = HUGE_VAL;
-        if (share > nearest) nearest = share, j.label = label_of(gate.line, value);
+        if (share > nearest) nearest = share, j.label = label_of(limit.line, value);
     }
     if (!run.failure.empty()) j.label = "stopped";
     return j;

@@ -11,14 +11,14 @@ namespace tw {
 enum class Stability { stable, warned, failed };
 const char* to_string(Stability stability);
 
-/// What a validity check may reach.
-struct StabilityGate {
+/// The limits of a validity check.
+struct StabilityLimit {
     std::string line, unit;
     double warned, failed;  ///< above which the case is that
     std::string meaning;    ///< what it says to be above, e.g. "c0 too low"
     std::string why;        ///< the reason of the limits
 };
-const std::vector<StabilityGate>& stability_gates();
+const std::vector<StabilityLimit>& stability_limits();
 
 /// Up to this Courant number the solver is said to be stable (`SimulationSetup::cfl`, sph_solver/README.md).
 inline constexpr double stated_courant_limit = 1.2;
@@ -26,7 +26,7 @@ inline constexpr double stated_courant_limit = 1.2;
 struct StabilityJudgement {
     Stability stability = Stability::stable;
     std::string reason;  ///< empty when stable: every limit that was passed, or what the engine said
-    std::string label;   ///< a few letters for a cell: the gate that came nearest to its limit, or went farthest beyond
+    std::string label;  ///< a few letters for a cell: the check that came nearest to its limit, or went farthest beyond
 };
 /// A value that is not a number is beyond every limit; a run that did nothing has failed. Where the time step was
 /// longer than stated, a large Mach number is not laid at c0's door alone.

@@ -48,7 +48,7 @@ std::string stability_html(const std::vector<StabilityMap>& maps, bool quick) {
                                    map.base.spacings_per_m, tank ? "." : ", the section's or plate's width.")) +
                "</figcaption></figure>";
     }
-    return out + html_of(unstable_cells(maps)) + html_of(gates_of_the_map()) + page_end;
+    return out + html_of(unstable_cells(maps)) + html_of(limits_of_the_map()) + page_end;
 }
 
 std::string stability_svg(const std::vector<StabilityMap>& maps) {

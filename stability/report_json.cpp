@@ -43,14 +43,14 @@ Json cell_json(const MapCell& cell) {
 }  // namespace
 
 std::string stability_json(const std::vector<StabilityMap>& maps, bool quick) {
-    Json gates = Json::array();
-    for (const StabilityGate& gate : stability_gates())
-        gates.push_back({{"name", gate.line},
-                         {"unit", gate.unit},
-                         {"warned", number(gate.warned)},
-                         {"failed", number(gate.failed)},
-                         {"meaning", gate.meaning},
-                         {"why", gate.why}});
+    Json limits = Json::array();
+    for (const StabilityLimit& limit : stability_limits())
+        limits.push_back({{"name", limit.line},
+                          {"unit", limit.unit},
+                          {"warned", number(limit.warned)},
+                          {"failed", number(limit.failed)},
+                          {"meaning", limit.meaning},
+                          {"why", limit.why}});
     Json list = Json::array();
     for (const StabilityMap& map : maps) {
         Json cells = Json::array();
@@ -67,7 +67,7 @@ std::string stability_json(const std::vector<StabilityMap>& maps, bool quick) {
                       {"warned", n.warned},
                       {"failed", n.failed},
                       {"stated_courant_limit", stated_courant_limit},
-                      {"gates", gates},
+                      {"gates", limits},
                       {"maps", list}};
     return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }

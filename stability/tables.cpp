@@ -48,14 +48,14 @@ ReportTable unstable_cells(const std::vector<StabilityMap>& maps) {
     return table;
 }
 
-ReportTable gates_of_the_map() {
+ReportTable limits_of_the_map() {
     ReportTable table{"Validity checks",
                       {words("check"), words("unit"), numbers("warned above"), numbers("failed above"), words("means"),
                        words("reason of the limits")}};
-    for (const StabilityGate& gate : stability_gates())
+    for (const StabilityLimit& limit : stability_limits())
         table.rows.push_back(
-            {{gate.line, gate.unit == "-" ? "" : gate.unit, gate.warned,
-              gate.failed < 1e300 ? ReportCell(gate.failed) : ReportCell("–"), gate.meaning, gate.why}});
+            {{limit.line, limit.unit == "-" ? "" : limit.unit, limit.warned,
+              limit.failed < 1e300 ? ReportCell(limit.failed) : ReportCell("–"), limit.meaning, limit.why}});
     return table;
 }
 

@@ -10,7 +10,7 @@ namespace tw {
 ReportTable map_table(const StabilityMap& map);
 /// Every cell that is not stable, once, with the reason.
 ReportTable unstable_cells(const std::vector<StabilityMap>& maps);
-/// The gates with their limits and the reasons of these.
-ReportTable gates_of_the_map();
+/// The validity checks with their limits and the reasons of these.
+ReportTable limits_of_the_map();
 
 }  // namespace tw

@@ -12,6 +12,7 @@
 #include "statistics/flow_through.h"
 #include "statistics/settled_mean.h"
 #include "statistics/time_bins.h"
+#include "statistics/whole_periods.h"
 #include "text/plain_number.h"
 
 namespace tw {
@@ -27,7 +28,7 @@ const std::vector<double>& frames_of(const RunRecord& record) {
 bool looks_at(const std::vector<double>& frames, std::size_t k, double from, const SettledStop& rule) {
     if (k < 2 || k > frames.size()) return false;
     if (rule.period > 0) {
-        const auto periods = [&](double t) { return std::floor((t - from) / rule.period * (1 + 1e-9)); };
+        const auto periods = [&](double t) { return whole_periods(from, t, rule.period); };
         return periods(frames[k - 1]) >= 2 && periods(frames[k - 1]) > periods(frames[k - 2]);
     }
     const auto grown = [&](std::size_t n) {

@@ -63,54 +63,38 @@ SettledMean drifting_mean(SettledMean m, double mean, const Drift& drift, double
     return m;
 }
 
-}  // namespace
+/// Finite values from a time on.
+struct Samples {
+    std::vector<double> time, values;
+};
 
-SettledMean settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules) {
-    std::vector<double> t, x;
+Samples samples_from(std::span<const double> time, std::span<const double> values, double from) {
+    Samples s;
     for (std::size_t i = 0; i < std::min(time.size(), values.size()); ++i) {
-        if (!(time[i] >= rules.from) || !std::isfinite(values[i])) continue;
-        t.push_back(time[i]);
-        x.push_back(values[i]);
+        if (!(time[i] >= from) || !std::isfinite(values[i])) continue;
+        s.time.push_back(time[i]);
+        s.values.push_back(values[i]);
     }
-    if (t.empty()) {
-        if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); }))
-            return unknown("no value in the whole record");
-        const double end = time.empty() ? 0 : time.back();
-        if (end >= rules.from) return unknown(fmt::format("no value after {:.3g} s", rules.from));
-        SettledMean m;
-        return too_short(m, rules.from - end + 3 * rules.flow_through,
-                         fmt::format("it ends at {:.3g} s and means begin at {:.3g} s", end, rules.from));
-    }
-    SettledMean m;
-    m.from = t.front();
-    m.to = t.back();
-    constexpr std::size_t fewest_samples = 10;
-    if (t.size() < fewest_samples || !(m.to > m.from)) {
-        const double per_sample = t.size() > 1 ? (m.to - m.from) / static_cast<double>(t.size() - 1) : 0;
-        return too_short(m, std::max(rules.flow_through * rules.fewest_flow_throughs, per_sample * fewest_samples),
-                         fmt::format("{} samples after {:.3g} s", t.size(), rules.from));
-    }
+    return s;
+}
 
-    constexpr std::size_t most_bins = 4096;
-    const std::vector<double> bins = time_bins(t, x, std::min(t.size(), most_bins));
-    const double bin = (m.to - m.from) / static_cast<double>(bins.size());
-    // A slow creep that stays within half the permitted error is no transient worth a refusal.
-    const double half_error = 0.5 * rules.largest_error * std::abs(bins.back());
-    const double resolution =
-        std::isfinite(rules.allowed_error) ? std::max(rules.allowed_error, half_error) : half_error;
-    auto cut = mser_cut(bins, std::isfinite(rules.allowed_error) ? rules.allowed_error : 0);
-    if (!cut) cut = mser_cut(bins, resolution);
-    if (!cut) return too_short(m, m.to - m.from, "the series is still settling");
-    m.from += bin * static_cast<double>(*cut);
-    const std::span<const double> settled = std::span(bins).subspan(*cut);
+/// Why there is no sample from `rules.from` on.
+SettledMean without_samples(std::span<const double> time, std::span<const double> values, const SettledRules& rules) {
+    if (std::ranges::none_of(values, [](double v) { return std::isfinite(v); }))
+        return unknown("no value in the whole record");
+    const double end = time.empty() ? 0 : time.back();
+    if (end >= rules.from) return unknown(fmt::format("no value after {:.3g} s", rules.from));
+    return too_short({}, rules.from - end + 3 * rules.flow_through,
+                     fmt::format("it ends at {:.3g} s and means begin at {:.3g} s", end, rules.from));
+}
+
+/// The mean of a window without a trend, whose noise is correlated. `resolution`: a deviation that is none [unit of the
+/// series].
+SettledMean steady_mean(SettledMean m, std::span<const double> settled, double mean, const Drift& drift,
+                        double record_over_window, double resolution, const SettledRules& rules) {
     const double n = static_cast<double>(settled.size()), window = m.to - m.from;
-
-    const double mean = mean_of(settled);
-    const bool long_enough = !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through);
-    const Drift drift = drift_of(settled);
-    const double record_over_window = (m.to - t.front()) / window;
-    if (drift.seen() && long_enough) return drifting_mean(m, mean, drift, record_over_window, rules);
-
+    const double window_needed = rules.fewest_flow_throughs * rules.flow_through;
+    const bool long_enough = !(rules.flow_through > 0 && window < window_needed);
     double squares = 0;
     for (const double v : settled) squares += (v - mean) * (v - mean);
     const double tau = integrated_autocorrelation_time(settled);
@@ -129,8 +113,8 @@ SettledMean settled_mean(std::span<const double> time, std::span<const double> v
         return too_short(
             m, window * (rules.fewest_independent / m.n_effective - 1),
             fmt::format("{:.2g} independent samples, {:g} needed", m.n_effective, rules.fewest_independent));
-    if (rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through)
-        return too_short(m, rules.fewest_flow_throughs * rules.flow_through - window,
+    if (!long_enough)
+        return too_short(m, window_needed - window,
                          fmt::format("{:.2g} flow-through times after the transient, {:g} needed",
                                      window / rules.flow_through, rules.fewest_flow_throughs));
     const double allowed = allowed_error(rules, mean), t95 = correlated_t_95(m.n_effective, 1);
@@ -153,6 +137,42 @@ SettledMean settled_mean(std::span<const double> time, std::span<const double> v
     m.unreliable = std::max(u, second) > 1.5 * std::min(u, second);
     if (m.unreliable) m.half_width = std::max(m.half_width, m.second_opinion);
     return m;
+}
+
+}  // namespace
+
+SettledMean settled_mean(std::span<const double> time, std::span<const double> values, const SettledRules& rules) {
+    const auto [t, x] = samples_from(time, values, rules.from);
+    if (t.empty()) return without_samples(time, values, rules);
+    SettledMean m;
+    m.from = t.front();
+    m.to = t.back();
+    constexpr std::size_t fewest_samples = 10;
+    if (t.size() < fewest_samples || !(m.to > m.from)) {
+        const double per_sample = t.size() > 1 ? (m.to - m.from) / static_cast<double>(t.size() - 1) : 0;
+        return too_short(m, std::max(rules.flow_through * rules.fewest_flow_throughs, per_sample * fewest_samples),
+                         fmt::format("{} samples after {:.3g} s", t.size(), rules.from));
+    }
+
+    constexpr std::size_t most_bins = 4096;
+    const std::vector<double> bins = time_bins(t, x, std::min(t.size(), most_bins));
+    const double bin = (m.to - m.from) / static_cast<double>(bins.size());
+    // A slow creep that stays within half the permitted error is no transient worth a refusal.
+    const double half_error = 0.5 * rules.largest_error * std::abs(bins.back());
+    const double resolution =
+        std::isfinite(rules.allowed_error) ? std::max(rules.allowed_error, half_error) : half_error;
+    auto cut = mser_cut(bins, std::isfinite(rules.allowed_error) ? rules.allowed_error : 0);
+    if (!cut) cut = mser_cut(bins, resolution);
+    if (!cut) return too_short(m, m.to - m.from, "the series is still settling");
+    m.from += bin * static_cast<double>(*cut);
+    const std::span<const double> settled = std::span(bins).subspan(*cut);
+
+    const double window = m.to - m.from, mean = mean_of(settled);
+    const bool long_enough = !(rules.flow_through > 0 && window < rules.fewest_flow_throughs * rules.flow_through);
+    const Drift drift = drift_of(settled);
+    const double record_over_window = (m.to - t.front()) / window;
+    return drift.seen() && long_enough ? drifting_mean(m, mean, drift, record_over_window, rules)
+                                       : steady_mean(m, settled, mean, drift, record_over_window, resolution, rules);
 }
 
 }  // namespace tw

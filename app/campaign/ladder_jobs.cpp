@@ -11,6 +11,7 @@
 #include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "methods/methods.h"
+#include "methods/names.h"
 #include "scene/box/box_walls.h"
 
 namespace tw::app {
@@ -21,12 +22,13 @@ namespace fs = std::filesystem;
 const std::vector<LadderChoice>& numerical_choices() {
     static const std::vector<LadderChoice> all{
         // The error of weak compressibility falls with Ma^2, so with c0^-2: 1/(1 - 1/1.5^2).
-        {"sph", "sound speed x 1.5", "sound_speed_1.5", [](RunRequest& r) { r.overrides.sound_speed_factor = 1.5; },
-         1.8},
+        {sph_method, "sound speed x 1.5", "sound_speed_1.5",
+         [](RunRequest& r) { r.overrides.sound_speed_factor = 1.5; }, 1.8},
         // Errors of time stepping are taken as of first order: 1/(1 - 1/2).
-        {"sph", "half the time step", "time_step_0.5", [](RunRequest& r) { r.overrides.time_step_factor = 0.5; }, 2, 2},
-        {"fvm", "half the Courant number", "courant_0.5", [](RunRequest& r) { r.overrides.courant_factor = 0.5; }, 2,
-         2},
+        {sph_method, "half the time step", "time_step_0.5", [](RunRequest& r) { r.overrides.time_step_factor = 0.5; },
+         2, 2},
+        {fvm_method, "half the Courant number", "courant_0.5", [](RunRequest& r) { r.overrides.courant_factor = 0.5; },
+         2, 2},
     };
     return all;
 }
@@ -40,7 +42,7 @@ LadderChoice wider_box() {
 }
 /// Another model of the same surface: all of the change counts.
 LadderChoice geometric_surface() {
-    return {"fvm", "geometric surface", "geometric_surface",
+    return {fvm_method, "geometric surface", "geometric_surface",
             [](RunRequest& r) { r.overrides.interface = "isoadvector"; }};
 }
 constexpr std::string_view upper_end = "_high", lower_end = "_low";

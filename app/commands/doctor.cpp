@@ -15,6 +15,7 @@
 #include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "foam_cases/own_openfoam.h"
+#include "methods/names.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
 #include "sph_solver/gpu_self_test.h"
@@ -52,7 +53,7 @@ void ask_gpu(MachineFacts& f) {
         const bool sound = f.gpu_error < sound_gpu_error;
         f.gpu_verdict = fmt::format("{}: error {:.2g} % of the pressure at the floor in water at rest",
                                     sound ? "sound" : "NOT SOUND", 100 * f.gpu_error);
-        if (sound) f.gpu_pace = calibrate_gpu_pace(pace_on_gpu("sph"));
+        if (sound) f.gpu_pace = calibrate_gpu_pace(pace_on_gpu(sph_method));
     } catch (const RunError& e) { f.gpu_verdict = std::string("NOT SOUND: ") + e.what(); } catch (const InputError& e) {
         f.gpu_verdict = std::string("not tested: ") + e.what();
     }

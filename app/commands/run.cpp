@@ -23,6 +23,7 @@
 #include "compare/ladder/ladder_report.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "methods/names.h"
 #include "scene/doubtful_input.h"
 #include "scene/hash.h"
 #include "sph_solver/parallel/comm.h"
@@ -159,23 +160,75 @@ int report(const PlannedRun& plan, const RunCommand& command, const Common& comm
 int run_together(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out) {
     const Comm& ranks = Comm::world();
     refuse_unshared(plan, command);
-    const fs::path folder = out / "sph";
+    const fs::path folder = out / sph_method;
     std::optional<FolderLock> lock;
     ranks.on_first([&] { lock.emplace(out); });
-    ranks.together([&] { refuse_taken(folder, "sph", command); });
+    ranks.together([&] { refuse_taken(folder, sph_method, command); });
     Common own = common;
     if (!ranks.first()) own.quiet = true, own.json.clear();
     std::string ready;
-    ranks.together([&] { ready = ready_text({"sph"}, plan.scene, &plan.prediction); });
+    ranks.together([&] { ready = ready_text({sph_method}, plan.scene, &plan.prediction); });
     say(own, ready);
     say(own, fmt::format("{}\n{}{}{} ranks, results in {}\n", plan.scene.title, warnings_text(plan.scene),
                          prediction_text(plan), ranks.size(), out.string()));
     catch_stop_signals();
-    const RunRecord record = run_method("sph", plan, {folder, command.resume, command.overwrite}, own);
-    const RunFacts facts = facts_of("sph", record, folder);
-    say(own, method_label("sph") + ": " + closing_line(facts));
+    const RunRecord record = run_method(sph_method, plan, {folder, command.resume, command.overwrite}, own);
+    const RunFacts facts = facts_of(sph_method, record, folder);
+    say(own, method_label(sph_method) + ": " + closing_line(facts));
     if (record.state != "finished") return run_failed;
     return ranks.first() ? report(plan, command, own, out, {{facts}, false}, nullptr) : static_cast<int>(done);
+}
+
+/// The particles' run on ranks that this process starts; nothing: the run is not of that kind, and is made here.
+std::optional<int> run_shared(const PlannedRun& plan, const RunCommand& command, const fs::path& out) {
+    if (plan.scene.run.ranks < 2 || command.making.collect) return {};
+    refuse_unshared(plan, command);
+    if (command.making.hand_over || command.twins || methods_of(plan.scene).size() > 1) return {};
+    const fs::path folder = out / sph_method, record = folder / "record.h5";
+    refuse_taken(folder, sph_method, command);
+    return run_on_ranks(plan.scene.run.ranks, [&, before = written(record)] {
+        const bool anew = written(record) != before;
+        return (command.resume || anew) && is_finished({method_label(sph_method), sph_method, plan, folder});
+    });
+}
+
+/// Title, warnings, and what will be run with its predicted time.
+std::string announcement(const PlannedRun& plan, const std::string& budget, const std::vector<CampaignRun>& empty,
+                         const Twins* twins, const fs::path& out) {
+    double own = 0;
+    for (const std::string& method : methods_of(plan.scene)) own += plan.seconds(method);
+    std::string of_empty;
+    for (const CampaignRun& run : empty)
+        of_empty += fmt::format("{}: {}\n", run.name, about_text(run.plan.seconds(run.method)));
+    return fmt::format("{}\n{}{}{}{}{}results in {}\n", plan.scene.title, warnings_text(plan.scene), budget,
+                       prediction_text(plan), of_empty, twins ? twins->prediction_text(plan.scene, own) : "",
+                       out.string());
+}
+
+/// The coarser runs, the twins without wave or bodies, then each method's own run. Nothing: stopped on request, which is said.
+std::optional<Made> make_all(const PlannedRun& plan, const Common& common, const fs::path& out,
+                             const std::vector<CampaignRun>& empty, Twins* twins, Campaign& campaign) {
+    Made made;
+    const auto stopped = [&](const std::string& what) {
+        complain(what + ": stopped on request; continue it with --resume");
+        write_json(common, runs_json(made.runs));
+        return std::nullopt;
+    };
+    if (twins && !twins->run(campaign)) return stopped("coarser runs");
+    for (const CampaignRun& run : empty)
+        if (campaign.run_or_take(run).state == CampaignResult::State::stopped) return stopped(run.name);
+    for (const std::string& method : methods_of(plan.scene)) {
+        const CampaignResult result = campaign.run_or_take({method_label(method), method, plan, out / method});
+        made.failed |= result.state == CampaignResult::State::failed;  // the other methods run all the same
+        if (result.record) {
+            made.runs.push_back(facts_of(method, *result.record, out / method));
+            say(common, outcome_of_bodies(plan.scene, *result.record));
+        }
+        if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
+    }
+    made.failed |= campaign.any_failed();  // a twin, coarser or empty
+    made.unfinished = campaign.unfinished();
+    return made;
 }
 
 }  // namespace
@@ -196,35 +249,21 @@ int run_run(const RunCommand& command, const Common& common) {
             "--report-every: runs that ranks share are reported at their end; watch them with twinwake watch");
     request.ranks = started.many() ? started.size() : command.ranks;
     const PlannedRun plan = plan_run(request);
-    const Scene& scene = plan.scene;
-    const std::vector<std::string> methods = methods_of(scene);
+    const std::vector<std::string> methods = methods_of(plan.scene);
 
     if (started.many()) return run_together(plan, command, common, out);
-    if (scene.run.ranks > 1 && !command.making.collect) {
-        refuse_unshared(plan, command);
-        if (!command.making.hand_over && !command.twins && methods.size() == 1) {
-            refuse_taken(out / "sph", "sph", command);
-            return run_on_ranks(scene.run.ranks, [&, before = written(out / "sph/record.h5")] {
-                const bool anew = written(out / "sph/record.h5") != before;
-                return (command.resume || anew) && is_finished({method_label("sph"), "sph", plan, out / "sph"});
-            });
-        }
-    }
+    if (const std::optional<int> status = run_shared(plan, command, out)) return *status;
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
     std::optional<Twins> twins;
-    request.ranks = scene.run.ranks;
+    request.ranks = plan.scene.run.ranks;
     if (command.twins) twins.emplace(request, out / "twins");
     if (twins && !command.overwrite) twins->refuse_others();
-    if (!command.making.hand_over && !command.making.collect) say(common, ready_text(methods, scene, &plan.prediction));
-    double own = 0;
-    for (const std::string& method : methods) own += plan.seconds(method);
+    if (!command.making.hand_over && !command.making.collect)
+        say(common, ready_text(methods, plan.scene, &plan.prediction));
     const std::vector<CampaignRun> empty = wave_twins_of(plan, out);
-    std::string of_empty;
-    for (const CampaignRun& run : empty)
-        of_empty += fmt::format("{}: {}\n", run.name, about_text(run.plan.seconds(run.method)));
-    say(common, fmt::format("{}\n{}{}{}{}{}results in {}\n", scene.title, warnings_text(scene),
-                            paid ? budget_text(*paid, budget_seconds(command.budget)) : "", prediction_text(plan),
-                            of_empty, twins ? twins->prediction_text(scene, own) : "", out.string()));
+    Twins* const coarser = twins ? &*twins : nullptr;
+    say(common,
+        announcement(plan, paid ? budget_text(*paid, budget_seconds(command.budget)) : "", empty, coarser, out));
 
     FolderLock lock(out);
     if (paid) remember(*paid, budget_seconds(command.budget), out);
@@ -240,30 +279,10 @@ int run_run(const RunCommand& command, const Common& common) {
     catch_stop_signals();
     ReportEvery pages(command.making, common.words, out, lock);
     campaign.ahead(study, all);
-    std::vector<RunFacts> runs;
-    const auto stopped = [&](const std::string& what) {
-        complain(what + ": stopped on request; continue it with --resume");
-        write_json(common, runs_json(runs));
-        return run_failed;
-    };
-    if (twins && !twins->run(campaign)) return stopped("coarser runs");
-    for (const CampaignRun& run : empty)
-        if (campaign.run_or_take(run).state == CampaignResult::State::stopped) return stopped(run.name);
-    bool failed = false;
-    for (const std::string& method : methods) {
-        const CampaignResult result = campaign.run_or_take({method_label(method), method, plan, out / method});
-        failed |= result.state == CampaignResult::State::failed;  // the other methods run all the same
-        if (result.record) {
-            runs.push_back(facts_of(method, *result.record, out / method));
-            say(common, outcome_of_bodies(scene, *result.record));
-        }
-        if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
-    }
-    failed |= campaign.any_failed();  // a twin, coarser or empty
+    const std::optional<Made> made = make_all(plan, common, out, empty, coarser, campaign);
+    if (!made) return run_failed;
     pages.end();
-
-    return report(plan, command, common, out, {std::move(runs), failed, campaign.unfinished()},
-                  twins ? &*twins : nullptr);
+    return report(plan, command, common, out, *made, coarser);
 }
 
 }  // namespace tw::app

@@ -7,6 +7,7 @@
 
 #include "app/runs/ranks.h"
 #include "compare/ladder/ladder_report.h"
+#include "methods/names.h"
 #include "scene/box/box_walls.h"
 #include "scene/doubtful_input.h"
 #include "scene/particles/cost_of_sizes.h"
@@ -54,31 +55,22 @@ Json passes_json(const std::vector<PassesPace>& paces) {
     return list;
 }
 
-}  // namespace
-
-std::string passes_line(std::vector<PassesPace> paces) {
-    std::ranges::sort(paces, std::greater{}, &PassesPace::evaluations_per_second);
-    std::string line;
-    for (const PassesPace& p : paces)
-        line += fmt::format("{}{} {:.2g}", line.empty() ? "" : ", ", p.passes->isa, p.evaluations_per_second / 1e6);
-    return line + " million evaluations/s";
+Json posed_hull_json(const Scene& scene) {
+    if (!scene.hull) return Json::object();
+    const Hull& h = *scene.hull;
+    return {{"source", h.source},
+            {"hash", h.hash},
+            {"length", h.length},
+            {"beam", h.beam},
+            {"trim", h.trim},
+            {"draft", h.draft},
+            {"half", h.half},
+            {"displacement", h.still.volume},
+            {"findings", findings_json(h.findings)},
+            {"repairs", h.repairs}};
 }
 
-std::string check_json(const Scene& scene, const Prediction& p, const RanksTake& ranks) {
-    Json hull = Json::object();
-    if (scene.hull) {
-        const Hull& h = *scene.hull;
-        hull = {{"source", h.source},
-                {"hash", h.hash},
-                {"length", h.length},
-                {"beam", h.beam},
-                {"trim", h.trim},
-                {"draft", h.draft},
-                {"half", h.half},
-                {"displacement", h.still.volume},
-                {"findings", findings_json(h.findings)},
-                {"repairs", h.repairs}};
-    }
+Json effects_json(const Scene& scene) {
     Json effects = Json::array();
     for (const EffectChoice& e : scene.effects) {
         Json bounds = Json::array();
@@ -97,11 +89,20 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                            {"bounds", bounds},
                            {"cost", e.cost}});
     }
+    return effects;
+}
+
+Json refinement_json(const Scene& scene) {
     Json refinement = Json::array();
     for (const RefinementBox& r : scene.refinement)
         refinement.push_back({{"name", r.name}, {"level", r.level}, {"box", box(r.box)}});
+    return refinement;
+}
+
+/// The particles of each size, and what they take of the run.
+Json sizes_json(const Scene& scene, const Prediction& p) {
     Json sizes = Json::array();
-    for (const CostOfSize& s : cost_of_sizes(scene, p, p.of("sph")))
+    for (const CostOfSize& s : cost_of_sizes(scene, p, p.of(sph_method)))
         sizes.push_back({{"spacing", s.particles.spacing},
                          {"active", std::round(s.particles.active)},
                          {"guards", std::round(s.particles.guards)},
@@ -109,6 +110,10 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                          {"bytes", s.bytes},
                          {"seconds", s.seconds},
                          {"dt", s.dt}});
+    return sizes;
+}
+
+Json costs_json(const Scene& scene, const Prediction& p) {
     Json predicted = Json::object();
     for (const std::string& method : scene.run.methods) {
         const MethodCost& cost = p.of(method);
@@ -116,8 +121,12 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                              {"core_seconds", cost.core_seconds},
                              {"bytes", cost.bytes},
                              {"steps", std::round(cost.steps)}};
-        if (method == "sph") predicted[method]["sizes"] = sizes;
+        if (method == sph_method) predicted[method]["sizes"] = sizes_json(scene, p);
     }
+    return predicted;
+}
+
+Json ranks_json(const RanksTake& ranks) {
     Json of_ranks = {{"number", ranks.ranks}};
     if (ranks.ranks > 1)
         of_ranks.update({{"particles", ranks.particles},
@@ -125,6 +134,20 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                          {"bytes", ranks.bytes},
                          {"bytes_at_start", ranks.bytes_at_start},
                          {"seconds", ranks.seconds}});
+    return of_ranks;
+}
+
+}  // namespace
+
+std::string passes_line(std::vector<PassesPace> paces) {
+    std::ranges::sort(paces, std::greater{}, &PassesPace::evaluations_per_second);
+    std::string line;
+    for (const PassesPace& p : paces)
+        line += fmt::format("{}{} {:.2g}", line.empty() ? "" : ", ", p.passes->isa, p.evaluations_per_second / 1e6);
+    return line + " million evaluations/s";
+}
+
+std::string check_json(const Scene& scene, const Prediction& p, const RanksTake& ranks) {
     const WallEffect walls = wall_effect(scene);
     return written({{"title", scene.title},
                     {"scene_hash", scene.hash},
@@ -135,20 +158,20 @@ std::string check_json(const Scene& scene, const Prediction& p, const RanksTake&
                     {"air_particles", std::round(p.air_particles)},
                     {"cells", std::round(p.cells)},
                     {"findings", findings_json(doubtful_input(scene))},
-                    {"hull", hull},
+                    {"hull", posed_hull_json(scene)},
                     {"domain", box(scene.domain.box)},
                     {"walls", {{"of", walls.of}, {"change", walls.change}}},
                     {"spacing", scene.resolution.spacing},
                     {"near_hull", scene.resolution.near_hull},
-                    {"refinement", refinement},
+                    {"refinement", refinement_json(scene)},
                     {"duration", scene.run.duration},
                     {"stop", scene.run.stop},
                     {"mean_from", scene.sampling.mean_from},
                     {"ramp", scene.motion.ramp},
                     {"c0", scene.sph.c0},
-                    {"effects", effects},
-                    {"predicted", predicted},
-                    {"ranks", of_ranks}});
+                    {"effects", effects_json(scene)},
+                    {"predicted", costs_json(scene, p)},
+                    {"ranks", ranks_json(ranks)}});
 }
 
 std::string hull_json(const HullFacts& f) {

@@ -19,6 +19,7 @@
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
+#include "methods/names.h"
 #include "sph_solver/parallel/comm.h"
 #include "sph_solver/rank_model.h"
 #include "sph_solver/scene_setup.h"
@@ -89,7 +90,7 @@ void refuse_unshared(const PlannedRun& plan, int option) {
     const auto refuse = [&](const std::string& why) {
         throw InputError(fmt::format("{}: {}", asked_by(scene, option), why));
     };
-    if (std::ranges::find(scene.run.methods, "sph") == scene.run.methods.end())
+    if (std::ranges::find(scene.run.methods, sph_method) == scene.run.methods.end())
         refuse(fmt::format(
             "{} ranks share a run of the particles, and there is none: the mesh method starts its own ranks, --threads",
             ranks));
@@ -138,7 +139,7 @@ RanksTake ranks_take(const PlannedRun& plan, int option) {
         work += size.steps * size.all_work, largest_work += size.steps * d.imbalance * size.all_work;
         talk += size.steps * seconds_of_talk(d, take.ranks);
     }
-    const MethodCost& cost = plan.prediction.of("sph");
+    const MethodCost& cost = plan.prediction.of(sph_method);
     const double raster = plan.prediction.raster_bytes;
     take.bytes = raster + (cost.bytes - raster) * (take.particles + take.copies) / all;
     take.seconds = cost.seconds * largest_work / work + talk * cost.steps;

@@ -7,6 +7,8 @@
 #include "app/pace/machine_pace.h"
 #include "foam_cases/doctor.h"
 #include "foam_cases/run_fvm.h"
+#include "methods/methods.h"
+#include "methods/names.h"
 #include "scene/particles/cores_of_particles.h"
 #include "sph_solver/on_gpu.h"
 #include "sph_solver/run_sph.h"
@@ -33,8 +35,12 @@ Prediction predict_all(const Scene& scene, const std::function<double(const Pace
 
 const std::vector<Solver>& solvers() {
     static const std::vector<Solver> rows{
-        {.method = "sph", .predict = predict_particles, .run = run_sph, .state = "checkpoint.h5", .ready = gpu_line},
-        {.method = "fvm",
+        {.method = sph_method,
+         .predict = predict_particles,
+         .run = run_sph,
+         .state = "checkpoint.h5",
+         .ready = gpu_line},
+        {.method = fvm_method,
          .predict = predict_cells,
          .run = run_fvm,
          .elements_per_rank = cells_per_rank,
@@ -58,7 +64,8 @@ std::vector<std::string> method_choices() {
 }
 
 PaceName pace_of(const Scene& scene, const std::string& method, const Prediction* sizes) {
-    const bool of_gpu = method == "sph" && (scene.run.device == "gpu" ? !gpu_name().empty() : gpu_wanted(scene, sizes));
+    const bool of_gpu =
+        method == sph_method && (scene.run.device == "gpu" ? !gpu_name().empty() : gpu_wanted(scene, sizes));
     if (!of_gpu) return {method};
     return {pace_on_gpu(method), true, cores_of_particles(scene)};
 }

@@ -8,6 +8,7 @@
 #include "compare/metrics/box_walls.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
+#include "record/force_names.h"
 
 namespace tw {
 
@@ -48,10 +49,11 @@ void add_measured_box(Comparison& c, const Ladder& ladder) {
                                std::abs(s->value) < std::abs(s->varied) ? "-" : "+", 100 * share);
     }
     if (!run || (c.walls.empty() && largest <= noticed_change)) return;
-    say_of_the_box(c, fmt::format("{} {}; measured by {} at {} m ({}), extrapolated to open water, and part of the "
-                                  "intervals of the values",
-                                  in_a_channel(c) ? "the floor of the box changes" : "the walls of the box change",
-                                  changes, method_of_the_box(ladder), number_text(run->spacing), run->name));
+    c.walls = fmt::format(
+        "{} {}; measured by {} at {} m ({}), extrapolated to open water, and part of the "
+        "intervals of the values",
+        in_a_channel(c) ? "the floor of the box changes" : "the walls of the box change", changes,
+        method_of_the_box(ladder), number_text(run->spacing), run->name);
 }
 
 }  // namespace tw

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 #include "compare/ladder/steps.h"
 #include "methods/methods.h"
 
@@ -39,7 +39,7 @@ LadderRun ladder_run(RunRecord record, const CompareOptions& options) {
     Comparison comparison = compare_records(std::move(one), options);
     run.quantities = std::move(comparison.quantities);
     run.references = std::move(comparison.references);
-    run.failed_checks = failed_gates(std::move(comparison.gates));
+    run.failed_checks = failed_checks(std::move(comparison.checks));
     return run;
 }
 

@@ -15,7 +15,7 @@ namespace tw {
 /// An uncertainty or a change that is no more than the last digits of its value says nothing.
 inline bool no_more_than_rounding(double U, double value) { return std::abs(U) <= 1e-9 * std::abs(value); }
 
-/// What a run was made with besides its resolution. Runs of one family differ in resolution alone.
+/// The settings of a run besides its resolution. Runs of one family differ in resolution alone.
 struct Family {
     std::string hash;      ///< the record's attribute family_hash; empty in imports and in older records
     std::string likeness;  ///< hull and main numbers as text: what stands in for the hash where there is none
@@ -37,7 +37,7 @@ struct LadderRun {
     double duration = 0;                   ///< simulated [s]
     std::string hull_hash, calibrated;
     Family family;  ///< the same in runs that differ in resolution only
-    std::vector<Gate> failed_checks;
+    std::vector<ValidityCheck> failed_checks;
     std::vector<double> domain;  ///< low and high of x, y, z; of x, z in two dimensions [m]
     std::vector<Quantity> quantities;
     std::vector<Reference> references;  ///< what formulas say of them
@@ -67,7 +67,7 @@ struct LadderSide {
     bool similar = true;  ///< false: records without a family hash, and their hulls, speeds or numerics differ
 };
 
-/// What one variation says of one quantity [its unit].
+/// The change of one quantity in one variation [its unit].
 struct Sensitivity {
     std::string name;                               ///< with the method that ran it where that is the other one
     double spacing = 0;                             ///< of the two runs [m]
@@ -75,14 +75,15 @@ struct Sensitivity {
     bool box = false;
     std::string refused = {};  ///< why it is no evidence and has no uncertainty
     std::string input = {};    ///< of an uncertain number: its name
-    /// The same but for rounding: what was varied does not bind in this run, so it says nothing.
+    /// Equal but for rounding: what was varied does not act in this run, so it is no evidence.
     bool idle() const { return no_more_than_rounding(varied - value, value); }
 };
 
 /// One method's finest value S against one from elsewhere D (ASME V&V 20): E = S - D, U_val^2 = U^2 + U_D^2. The
 /// verdict is holds() of decide.h: agree and undecided contain D within U_val, differ does not. [unit of the quantity]
 struct Validation {
-    double E = std::numeric_limits<double>::quiet_NaN(), U_val = std::numeric_limits<double>::quiet_NaN();
+    double E = std::numeric_limits<double>::quiet_NaN(),
+           U_val = std::numeric_limits<double>::quiet_NaN();     ///< [unit of the quantity]
     double per_cent = std::numeric_limits<double>::quiet_NaN();  ///< E over |D| [%]
     Verdict verdict = Verdict::not_comparable;
 };
@@ -99,11 +100,11 @@ struct Held {
 /// Not half the difference between the ends: that is 0 of a value that is largest in between.
 std::map<std::string, double> inputs_of(const std::vector<Sensitivity>& sensitivities);
 
-/// What a ladder says of one quantity and one method.
+/// One quantity of one method in a grid-convergence study.
 struct LadderValue {
-    std::vector<StudyLevel> levels;                                 ///< the levels whose mean is known, finest first
-    std::vector<double> half_widths;                                ///< of each level's 95 % interval
-    std::vector<std::string> absent;                                ///< why a level is missing, with its spacing
+    std::vector<StudyLevel> levels;   ///< the levels whose mean is known, finest first
+    std::vector<double> half_widths;  ///< of each level's 95 % interval [unit]; as many as levels
+    std::vector<std::string> absent;  ///< why a level is missing, with its spacing
     double statistical = std::numeric_limits<double>::quiet_NaN();  ///< 95 % half width at the finest level [unit]
     Estimate estimate;                                              ///< of the resolution; no levels: nothing known
     std::vector<Sensitivity> sensitivities;

@@ -156,18 +156,18 @@ ReportTable ladder_held(const Ladder& ladder) {
 }
 
 ReportTable ladder_checks(const Ladder& ladder) {
-    std::vector<Gate> gates;
+    std::vector<ValidityCheck> failed;
     for (const LadderSide& side : ladder.sides) {
         const auto add = [&](const LadderRun& run, const std::string& choice) {
-            for (Gate gate : run.failed_checks) {
-                gate.source = fmt::format("{} at {} m{}", side.method, number_text(run.spacing), choice);
-                gates.push_back(std::move(gate));
+            for (ValidityCheck check : run.failed_checks) {
+                check.source = fmt::format("{} at {} m{}", side.method, number_text(run.spacing), choice);
+                failed.push_back(std::move(check));
             }
         };
         for (const LadderRun& run : side.runs) add(run, "");
         for (const LadderVariation& v : side.variations) add(v.run, ", " + v.name);
     }
-    return checks_table(gates, true);
+    return checks_table(failed, true);
 }
 
 namespace {

@@ -134,6 +134,108 @@ double lag_of(std::span<const double> ta, std::span<const double> a, std::span<c
     return best;
 }
 
+namespace {
+
+/// One body in all sources, up to the end of the time that they all cover.
+struct BodyInAll {
+    std::string name;
+    std::vector<BodyHistory> histories;  ///< one per source
+    double end = HUGE_VAL;               ///< [s]
+
+    std::string unit_of(const char* column) const {
+        for (const BodyHistory& h : histories)
+            if (h.has(column)) return h.table->find(column)->unit;
+        return {};
+    }
+};
+
+BodyInAll body_in_all(const std::vector<RunRecord>& sources, const std::string& name) {
+    BodyInAll body{name, {}};
+    for (const RunRecord& r : sources) {
+        const auto found = r.tables.find(body_table(name));
+        BodyHistory h;
+        if (found != r.tables.end() && !found->second.time.empty()) {
+            h.table = &found->second;
+            body.end = std::min({body.end, h.table->time.back(), number_of(r, "duration", HUGE_VAL)});
+        }
+        body.histories.push_back(h);
+    }
+    for (BodyHistory& h : body.histories) h.end = body.end;
+    return body;
+}
+
+/// A number of each source's body, shown and judged in a grid-convergence study; the last of the comparison's quantities.
+Quantity& add_body_number(Comparison& comparison, const BodyInAll& body, const char* kind, std::string label,
+                          std::string unit, std::string definition,
+                          const std::function<double(const BodyHistory&)>& value_of) {
+    Quantity q = new_quantity(fmt::format("body_{}:{}", kind, body.name), std::move(label), std::move(unit),
+                              std::move(definition));
+    for (const BodyHistory& h : body.histories) {
+        MeanValue m;
+        m.value = h.table ? value_of(h) : nan;
+        m.known = std::isfinite(m.value);
+        if (m.known)
+            m.half_width = 0, m.from = h.table->time.front(), m.to = body.end;
+        else
+            m.why_not = h.table ? "its record has no value" : not_given;
+        q.values.push_back(m);
+    }
+    beside(q);
+    q.judged_in_ladder = true;
+    comparison.quantities.push_back(std::move(q));
+    return comparison.quantities.back();
+}
+
+/// How far and how fast it has come down, and how far the sources' histories are apart.
+void add_path(Comparison& comparison, const BodyInAll& body) {
+    const std::vector<BodyHistory>& histories = body.histories;
+    const std::string at = fmt::format("{} at {:.4g} s", body.name, body.end);
+    Quantity& depth =
+        add_body_number(comparison, body, "depth", "Way down of " + at, "m", "how far its centre of mass has come down",
+                        [](const BodyHistory& h) { return start_of(h, "z") - h.at_end("z"); });
+    depth.remark = of_every_pair(
+        comparison.names, [&](std::size_t a, std::size_t b) { return rms_of_depths(histories[a], histories[b]); });
+    Quantity& speed = add_body_number(comparison, body, "speed", "Velocity downward of " + at, "m/s",
+                                      "of its centre of mass", [](const BodyHistory& h) { return -h.at_end("vz"); });
+    speed.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+        const BodyHistory &A = histories[a], &B = histories[b];
+        if (!A.has("vz") || !B.has("vz")) return std::string();
+        return fmt::format(
+            "{} comes {:.3g} s later than {} (least difference of the velocities)", method_label(comparison.names[b]),
+            lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")), method_label(comparison.names[a]));
+    });
+}
+
+/// Peak of the water's force, when it arrives, and its impulse.
+void add_load(Comparison& comparison, const BodyInAll& body) {
+    const std::vector<BodyHistory>& histories = body.histories;
+    const std::string &name = body.name, N = body.unit_of("fz");
+    const double filter = filter_of(comparison.sources, "body", name);
+    const std::string over = fmt::format("over {:g} ms", 1e3 * filter);
+    Quantity& peak =
+        add_body_number(comparison, body, "peak", "Largest force on " + name + ", mean " + over, N,
+                        "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
+                        [&](const BodyHistory& h) { return peak_of(h, filter); });
+    for (std::size_t s = 0; s < histories.size(); ++s)
+        if (const double shortest = sound_time(comparison.sources[s]); shortest > 0 && histories[s].has("fz")) {
+            const BodyHistory& h = histories[s];
+            const std::vector<double> lasts = lasting(h.times(), h.values("fz"), shortest);
+            set_sound_aside(peak, s, largest_window_mean(h.times(), lasts, filter), shortest, comparison.names[s]);
+        }
+    add_body_number(comparison, body, "arrival", "Arrival of the force on " + name, "s",
+                    "when the water's vertical force has risen to a tenth of its largest mean " + over,
+                    [&](const BodyHistory& h) { return arrival_of(h, filter); });
+    Quantity& impulse =
+        add_body_number(comparison, body, "impulse", fmt::format("Impulse on {} at {:.4g} s", name, body.end), N + " s",
+                        "integral of the water's vertical force", impulse_of);
+    impulse.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
+        const MeanValue &A = impulse.values[a], &B = impulse.values[b];
+        return A.known && B.known ? fmt::format("ratio {:.3g}", B.value / A.value) : std::string();
+    });
+}
+
+}  // namespace
+
 void add_bodies(Comparison& comparison) {
     std::set<std::string> names;
     for (const RunRecord& r : comparison.sources)
@@ -141,80 +243,12 @@ void add_bodies(Comparison& comparison) {
             if (table.starts_with("body_") && content.find("q0") && !content.time.empty())
                 names.insert(table.substr(5));
     for (const std::string& name : names) {
-        std::vector<BodyHistory> histories;
-        double end = HUGE_VAL;
-        for (const RunRecord& r : comparison.sources) {
-            const auto found = r.tables.find(body_table(name));
-            BodyHistory h;
-            if (found != r.tables.end() && !found->second.time.empty()) {
-                h.table = &found->second;
-                end = std::min({end, h.table->time.back(), number_of(r, "duration", HUGE_VAL)});
-            }
-            histories.push_back(h);
-        }
-        for (BodyHistory& h : histories) h.end = end;
-        const auto unit_of = [&](const char* column) -> std::string {
-            for (const BodyHistory& h : histories)
-                if (h.has(column)) return h.table->find(column)->unit;
-            return {};
-        };
-        const auto add = [&](const char* kind, std::string label, std::string unit, std::string definition,
-                             const std::function<double(const BodyHistory&)>& value_of) -> Quantity& {
-            Quantity q = new_quantity(fmt::format("body_{}:{}", kind, name), std::move(label), std::move(unit),
-                                      std::move(definition));
-            for (const BodyHistory& h : histories) {
-                MeanValue m;
-                m.value = h.table ? value_of(h) : nan;
-                m.known = std::isfinite(m.value);
-                if (m.known)
-                    m.half_width = 0, m.from = h.table->time.front(), m.to = end;
-                else
-                    m.why_not = h.table ? "its record has no value" : not_given;
-                q.values.push_back(m);
-            }
-            beside(q);
-            q.judged_in_ladder = true;
-            comparison.quantities.push_back(std::move(q));
-            return comparison.quantities.back();
-        };
-        const std::string N = unit_of("fz"), at = fmt::format("{} at {:.4g} s", name, end);
-        Quantity& depth = add("depth", "Way down of " + at, "m", "how far its centre of mass has come down",
-                              [](const BodyHistory& h) { return start_of(h, "z") - h.at_end("z"); });
-        depth.remark = of_every_pair(
-            comparison.names, [&](std::size_t a, std::size_t b) { return rms_of_depths(histories[a], histories[b]); });
-        Quantity& speed = add("speed", "Velocity downward of " + at, "m/s", "of its centre of mass",
-                              [](const BodyHistory& h) { return -h.at_end("vz"); });
-        speed.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
-            const BodyHistory &A = histories[a], &B = histories[b];
-            if (!A.has("vz") || !B.has("vz")) return std::string();
-            return fmt::format("{} comes {:.3g} s later than {} (least difference of the velocities)",
-                               method_label(comparison.names[b]),
-                               lag_of(A.times(), A.values("vz"), B.times(), B.values("vz")),
-                               method_label(comparison.names[a]));
-        });
-        const double filter = filter_of(comparison.sources, "body", name);
-        const std::string over = fmt::format("over {:g} ms", 1e3 * filter);
-        Quantity& peak =
-            add("peak", "Largest force on " + name + ", mean " + over, N,
-                "largest mean of the water's vertical force " + over + ": shorter peaks are sound and sampling",
-                [&](const BodyHistory& h) { return peak_of(h, filter); });
-        for (std::size_t s = 0; s < histories.size(); ++s)
-            if (const double shortest = sound_time(comparison.sources[s]); shortest > 0 && histories[s].has("fz")) {
-                const BodyHistory& h = histories[s];
-                const std::vector<double> lasts = lasting(h.times(), h.values("fz"), shortest);
-                set_sound_aside(peak, s, largest_window_mean(h.times(), lasts, filter), shortest, comparison.names[s]);
-            }
-        add("arrival", "Arrival of the force on " + name, "s",
-            "when the water's vertical force has risen to a tenth of its largest mean " + over,
-            [&](const BodyHistory& h) { return arrival_of(h, filter); });
-        Quantity& impulse =
-            add("impulse", "Impulse on " + at, N + " s", "integral of the water's vertical force", impulse_of);
-        impulse.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
-            const MeanValue &A = impulse.values[a], &B = impulse.values[b];
-            return A.known && B.known ? fmt::format("ratio {:.3g}", B.value / A.value) : std::string();
-        });
-        if (std::ranges::any_of(histories, [](const BodyHistory& h) { return turn_of(h) > 0.01; }))
-            add("turn", "Turn of " + at, "deg", "angle between its attitude and that at the start", turn_of);
+        const BodyInAll body = body_in_all(comparison.sources, name);
+        add_path(comparison, body);
+        add_load(comparison, body);
+        if (std::ranges::any_of(body.histories, [](const BodyHistory& h) { return turn_of(h) > 0.01; }))
+            add_body_number(comparison, body, "turn", fmt::format("Turn of {} at {:.4g} s", name, body.end), "deg",
+                            "angle between its attitude and that at the start", turn_of);
     }
 }
 

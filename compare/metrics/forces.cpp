@@ -18,6 +18,15 @@
 
 namespace tw {
 
+SettledRules settled_rules(const RunRecord& record, const CompareOptions& options, double allowed_error) {
+    return {.from = number_of(record, "mean_from", 0),
+            .flow_through = flow_through_time(record),
+            .fewest_flow_throughs = options.fewest_flow_throughs,
+            .fewest_independent = options.fewest_independent,
+            .largest_error = options.largest_error,
+            .allowed_error = allowed_error};
+}
+
 MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
                   const CompareOptions& options, double allowed_error) {
     const Column* c = record.series(table, column);
@@ -26,14 +35,7 @@ MeanValue mean_of(const RunRecord& record, const std::string& table, const std::
         none.why_not = not_given;
         return none;
     }
-    SettledRules rules;
-    rules.from = number_of(record, "mean_from", 0);
-    rules.flow_through = flow_through_time(record);
-    rules.fewest_flow_throughs = options.fewest_flow_throughs;
-    rules.fewest_independent = options.fewest_independent;
-    rules.largest_error = options.largest_error;
-    rules.allowed_error = allowed_error;
-    return settled_mean(record.tables.at(table).time, c->values, rules);
+    return settled_mean(record.tables.at(table).time, c->values, settled_rules(record, options, allowed_error));
 }
 
 namespace {
@@ -78,12 +80,106 @@ double draft_term(const Comparison& comparison, const std::string& name, std::st
     return term;
 }
 
-struct Force {
+/// What the drags of the sources contain, and how they can be compared all the same.
+struct FrictionInDrags {
+    bool left_out = false;        ///< only some have friction: pressure parts are compared
+    bool pressure_alone = false;  ///< there is none in any drag that is compared; a source without parts may contain it
+};
+
+/// Says in a banner what is left out, or cannot be.
+FrictionInDrags friction_in_drags(const std::vector<RunRecord>& sources, std::vector<std::string>& banners) {
+    FrictionInDrags found;
+    const auto has_drag = [](const RunRecord& r) { return r.series("forces", "fx") != nullptr; };
+    const auto with_drag = std::ranges::count_if(sources, has_drag);
+    const auto with_friction =
+        std::ranges::count_if(sources, [&](const RunRecord& r) { return has_drag(r) && has_friction(r); });
+    const bool some_with_friction = with_friction > 0 && with_friction < with_drag;
+    found.left_out = some_with_friction && std::ranges::all_of(sources, [](const RunRecord& r) {
+                         return !has_friction(r) || r.series("forces", "fx_pressure");
+                     });
+    if (found.left_out)
+        banners.push_back(
+            "Only one method solves friction: drag and lift are compared without it (pressure parts); friction is "
+            "listed below.");
+    else if (some_with_friction)
+        banners.push_back(
+            "Only some sources include friction in their drag, and not all of them list its part: the drags compared "
+            "here differ by it.");
+    found.pressure_alone =
+        with_drag > 0 && std::ranges::all_of(sources, [&](const RunRecord& r) {
+            return !has_drag(r) || (r.series("forces", "fx_pressure") && text_of(r, "friction") != "included" &&
+                                    (found.left_out || !has_friction(r)));
+        });
+    return found;
+}
+
+struct MeanForce {
     const char* name;
-    std::string label;
-    const char *unit, *column, *pressure;
+    std::string label, unit;
+    const char *column, *pressure;  ///< of the table `forces`; pressure: null, the moment has no such part
     std::string definition;
 };
+
+/// `arm`: lift times length [N m], the scale of a moment, whose mean is often near zero; 0 for forces.
+Quantity force_quantity(const Comparison& comparison, const MeanForce& f, bool leave_friction_out, double arm,
+                        const CompareOptions& options) {
+    const bool moment = !f.pressure;
+    Quantity q = quantity(comparison, f.name, f.label, f.unit, f.definition, [&](const RunRecord& r) {
+        const bool pressure_only = leave_friction_out && !moment && has_friction(r) && r.series("forces", f.pressure);
+        MeanValue m = mean_of(r, "forces", pressure_only ? f.pressure : f.column, options, 1e-3 * arm);
+        widen_where_ended(r, m, 0.1 * arm);
+        return m;
+    });
+    if (leave_friction_out) q.remark = moment ? "friction included where solved" : "friction left out on both sides";
+    if (moment) q.scale = 0.1 * arm;
+    return q;
+}
+
+/// Forces in a stream are judged, with what is not known of the draft; what a tank's event leaves of a mean as well.
+void add_force(Comparison& comparison, Quantity q, bool stream) {
+    std::string shared_name;
+    const double shared = draft_term(comparison, q.name, shared_name);
+    if (stream || any_known(q))
+        judge(q, comparison.names, comparison.agree_within, shared, shared_name);
+    else
+        beside(q);  // an event: metrics/tank_loads.h
+    if (shared > 0) q.remark += (q.remark.empty() ? "" : "; ") + ("interval includes " + shared_name);
+    comparison.quantities.push_back(std::move(q));
+}
+
+/// Parts of the forces, those of the air, and what is wetted: not judged.
+void add_parts(Comparison& comparison, const CompareOptions& options, const ForceNames& called, bool drag_is_pressure,
+               const std::string& per_span) {
+    struct Part {
+        const char* name;
+        std::string label, unit;
+        const char *table, *column;
+        std::string definition;
+    };
+    const std::string &up = called.up, &along = called.along, &friction = called.friction;
+    const std::string drag = lower_case_first(along), newton = "N" + per_span;
+    for (const Part& b :
+         {Part{"drag_pressure", drag_is_pressure ? along + " by pressure" : "Pressure drag", newton, "forces",
+               "fx_pressure", "pressure part of the " + drag},
+          Part{"drag_friction", friction, newton, "forces", "fx_viscous",
+               "viscous part of the " + drag +
+                   ", as if the wet faces touched water alone; zero where no physical viscosity is solved"},
+          Part{"drag_friction_uncorrected", friction + ", not corrected for air", newton, "forces",
+               "fx_viscous_uncorrected", "friction of the mixture of water and air at the wet faces"},
+          Part{"drag_air", along + " by air", newton, "forces", "fx_air",
+               "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
+          Part{"lift_air", up + " by air", newton, "forces", "fz_air",
+               "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
+          Part{"drag_total", along + ", air included", newton, "forces", "fx_total", "all faces; not compared"},
+          Part{"lift_total", up + ", air included", newton, "forces", "fz_total", "all faces; not compared"},
+          Part{"ventilation", "Share of air in the water at the hull", "-", "samples", "ventilation",
+               "share of air in the fluid at the wet part of the hull; the friction is too low by this share"},
+          Part{"wetted_area", "Wetted area", "m2" + per_span, "samples", "wetted_area",
+               "area of the hull that water touches"}})
+        add_beside(comparison, quantity(comparison, b.name, b.label, b.unit, b.definition, [&](const RunRecord& r) {
+                       return mean_of(r, b.table, b.column, options, HUGE_VAL);
+                   }));
+}
 
 void add_sph_measures(Comparison& comparison, const CompareOptions& options, const ForceNames& called,
                       const std::string& unit) {
@@ -135,105 +231,44 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     if (std::ranges::none_of(sources, [](const RunRecord& r) { return r.tables.contains("forces"); })) return;
     // The load on a body that moves does not settle; metrics/bodies.h has its measures.
     if (std::ranges::any_of(sources, has_moving_bodies)) return;
-    const auto has_drag = [](const RunRecord& r) { return r.series("forces", "fx") != nullptr; };
-    const auto with_drag = std::ranges::count_if(sources, has_drag);
-    const auto with_friction =
-        std::ranges::count_if(sources, [&](const RunRecord& r) { return has_drag(r) && has_friction(r); });
-    const bool some_with_friction = with_friction > 0 && with_friction < with_drag;
-    const bool leave_friction_out = some_with_friction && std::ranges::all_of(sources, [](const RunRecord& r) {
-                                        return !has_friction(r) || r.series("forces", "fx_pressure");
-                                    });
-    if (leave_friction_out)
-        comparison.banners.push_back(
-            "Only one method solves friction: drag and lift are compared without it (pressure parts); friction is "
-            "listed "
-            "below.");
-    else if (some_with_friction)
-        comparison.banners.push_back(
-            "Only some sources include friction in their drag, and not all of them list its part: the drags compared "
-            "here "
-            "differ by it.");
-
-    // Where friction is in no drag, drag is what the pressure makes; a source that lists no parts may have measured both.
-    const bool pressure_alone =
-        with_drag > 0 && std::ranges::all_of(sources, [&](const RunRecord& r) {
-            return !has_drag(r) || (r.series("forces", "fx_pressure") && text_of(r, "friction") != "included" &&
-                                    (leave_friction_out || !has_friction(r)));
-        });
-
+    const FrictionInDrags friction = friction_in_drags(sources, comparison.banners);
     // In two dimensions forces are per metre of span.
     const bool flat =
         std::ranges::any_of(sources, [](const RunRecord& r) { return number_of(r, "dimensions", 3) == 2; });
-    const auto unit = [&](const char* of_whole) { return flat ? std::string(of_whole) + "/m" : of_whole; };
+    const std::string per_span = flat ? "/m" : "";
     const bool stream = std::ranges::any_of(sources, is_stream);
     const ForceNames called = force_names(stream);
-    const std::string &up = called.up, &along = called.along, on = stream ? "on the whole hull" : "on the solids";
-    double lift = 0;
-    for (const Force& f :
-         {Force{"lift", up, "N", "fz", "fz_pressure", "mean vertical force of the water " + on},
-          Force{"drag", stream && pressure_alone ? "Pressure drag" : along, "N", "fx", "fx_pressure",
-                "mean force of the water " + on + (stream ? " along the stream" : " along x")},
-          Force{"trim_moment", called.moment, "N m", "my", nullptr,
-                "mean moment of the water about one point for all sources (moment_reference), bow up positive; its "
-                "target is "
-                "taken of at least a tenth of lift times length"}}) {
-        double length = 0;
-        for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
-        const bool moment = !f.pressure;
-        Quantity q = quantity(comparison, f.name, f.label, unit(f.unit), f.definition, [&](const RunRecord& r) {
-            const bool pressure_only =
-                leave_friction_out && !moment && has_friction(r) && r.series("forces", f.pressure);
-            MeanValue m =
-                mean_of(r, "forces", pressure_only ? f.pressure : f.column, options, moment ? 1e-3 * lift * length : 0);
-            widen_where_ended(r, m, moment ? 0.1 * lift * length : 0);
-            return m;
-        });
-        if (leave_friction_out)
-            q.remark = moment ? "friction included where solved" : "friction left out on both sides";
-        if (std::string_view(f.name) == "lift")
-            for (const MeanValue& m : q.values)
-                if (m.known) lift = std::max(lift, std::abs(m.value));
-        if (moment) q.scale = 0.1 * lift * length;
-        if (std::ranges::none_of(sources, [&](const RunRecord& r) { return r.series("forces", f.column) != nullptr; }))
-            continue;
-        std::string shared_name;
-        const double shared = draft_term(comparison, f.name, shared_name);
-        if (stream || any_known(q))
-            judge(q, comparison.names, comparison.agree_within, shared, shared_name);
-        else
-            beside(q);  // an event: metrics/tank_loads.h
-        if (shared > 0) q.remark += (q.remark.empty() ? "" : "; ") + ("interval includes " + shared_name);
-        comparison.quantities.push_back(std::move(q));
-    }
+    const std::string on = stream ? "on the whole hull" : "on the solids";
+    const MeanForce lift{"lift", called.up,     "N" + per_span,
+                         "fz",   "fz_pressure", "mean vertical force of the water " + on};
+    const MeanForce drag{"drag",         stream && friction.pressure_alone ? "Pressure drag" : called.along,
+                         "N" + per_span, "fx",
+                         "fx_pressure",  "mean force of the water " + on + (stream ? " along the stream" : " along x")};
+    const MeanForce moment{
+        "trim_moment",
+        called.moment,
+        "N m" + per_span,
+        "my",
+        nullptr,
+        "mean moment of the water about one point for all sources (moment_reference), bow up positive; "
+        "its target is taken of at least a tenth of lift times length"};
 
-    struct Beside {
-        const char* name;
-        std::string label;
-        const char *unit, *table, *column;
-        std::string definition;
+    const auto add = [&](const MeanForce& f, double arm) {
+        Quantity q = force_quantity(comparison, f, friction.left_out, arm, options);
+        double largest = 0;
+        for (const MeanValue& m : q.values)
+            if (m.known) largest = std::max(largest, std::abs(m.value));
+        if (std::ranges::any_of(sources, [&](const RunRecord& r) { return r.series("forces", f.column) != nullptr; }))
+            add_force(comparison, std::move(q), stream);
+        return largest;
     };
-    const std::string &friction = called.friction, drag = lower_case_first(along);
-    for (const Beside& b :
-         {Beside{"drag_pressure", stream && !pressure_alone ? "Pressure drag" : along + " by pressure", "N", "forces",
-                 "fx_pressure", "pressure part of the " + drag},
-          Beside{"drag_friction", friction, "N", "forces", "fx_viscous",
-                 "viscous part of the " + drag +
-                     ", as if the wet faces touched water alone; zero where no physical viscosity is solved"},
-          Beside{"drag_friction_uncorrected", friction + ", not corrected for air", "N", "forces",
-                 "fx_viscous_uncorrected", "friction of the mixture of water and air at the wet faces"},
-          Beside{"drag_air", along + " by air", "N", "forces", "fx_air",
-                 "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
-          Beside{"lift_air", up + " by air", "N", "forces", "fz_air",
-                 "force of the air, of a method that solves it (a mesh: on the dry faces); not compared"},
-          Beside{"drag_total", along + ", air included", "N", "forces", "fx_total", "all faces; not compared"},
-          Beside{"lift_total", up + ", air included", "N", "forces", "fz_total", "all faces; not compared"},
-          Beside{"ventilation", "Share of air in the water at the hull", "-", "samples", "ventilation",
-                 "share of air in what touches the wet part of the hull; friction is low in proportion"},
-          Beside{"wetted_area", "Wetted area", "m2", "samples", "wetted_area", "area of the hull that water touches"}})
-        add_beside(comparison,
-                   quantity(comparison, b.name, b.label, *b.unit == '-' ? b.unit : unit(b.unit), b.definition,
-                            [&](const RunRecord& r) { return mean_of(r, b.table, b.column, options, HUGE_VAL); }));
-    add_sph_measures(comparison, options, called, unit("N"));
+    double length = 0;
+    for (const RunRecord& r : sources) length = std::max(length, number_of(r, "length", 0));
+    const double largest_lift = add(lift, 0);
+    add(drag, 0);
+    add(moment, largest_lift * length);
+    add_parts(comparison, options, called, !stream || friction.pressure_alone, per_span);
+    add_sph_measures(comparison, options, called, "N" + per_span);
 }
 
 void add_total_drag(Comparison& comparison, const CompareOptions& options) {
@@ -242,12 +277,12 @@ void add_total_drag(Comparison& comparison, const CompareOptions& options) {
     const std::string unit = drag->unit;
     const Quantity line =
         quantity(comparison, "friction_line", "Friction by a line", unit,
-                 "friction of a flat plate (ITTC 1957) on what the method finds wet",
+                 "friction of a flat plate (ITTC 1957) on the wetted area that the method finds",
                  [&](const RunRecord& r) { return mean_of(r, "samples", "friction_line", options, HUGE_VAL); });
     if (!any_known(line)) return;
-    Quantity q = new_quantity(
-        "total_drag", "Total drag", unit,
-        "drag by pressure and friction: solved, or of a flat plate (ITTC 1957) on what the method finds wet");
+    Quantity q = new_quantity("total_drag", "Total drag", unit,
+                              "drag by pressure and friction; the friction is solved, or that of a flat plate (ITTC "
+                              "1957) on the wetted area that the method finds");
     std::string coefficients;
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
@@ -294,7 +329,7 @@ void add_resistance(Comparison& comparison, const CompareOptions& options) {
     Quantity power =
         new_quantity("effective_power", "Effective power", "W", "P_E = R_T U, the total drag times the speed");
     Quantity coefficient = new_quantity("resistance_coefficient", "Resistance coefficient", "-",
-                                        "C_T = R_T / (1/2 rho S U^2), S: what the method finds wet");
+                                        "C_T = R_T / (1/2 rho S U^2), S: the wetted area that the method finds");
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
         const double U = number_of(r, "speed", 0);

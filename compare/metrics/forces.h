@@ -1,10 +1,14 @@
 #pragma once
 #include "compare/compare.h"
+#include "statistics/settled_mean.h"
 
 namespace tw {
 
+/// When a column of this record has a mean. `allowed_error`: standard error that is fine whatever the mean [unit of the
+/// column].
+SettledRules settled_rules(const RunRecord& record, const CompareOptions& options, double allowed_error = 0);
 /// Settled mean of one column of a record under the rules of `options`; unknown with a reason when it has no such
-/// column. `allowed_error`: standard error that is fine whatever the mean [unit of the column].
+/// column. `allowed_error` as above.
 MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
                   const CompareOptions& options, double allowed_error = 0);
 

@@ -89,9 +89,11 @@ void add_porpoising(Comparison& comparison) {
         beside(q);
         comparison.quantities.push_back(std::move(q));
     };
-    add("porpoising_pitch", "Porpoising, amplitude in pitch", "deg", "half of highest less lowest, mean of the cycles",
+    add("porpoising_pitch", "Porpoising, amplitude in pitch", "deg",
+        "half the distance from lowest to highest, mean of the cycles",
         [](const Porpoising& p) { return p.pitch.amplitude; });
-    add("porpoising_heave", "Porpoising, amplitude in heave", "m", "half of highest less lowest, mean of the cycles",
+    add("porpoising_heave", "Porpoising, amplitude in heave", "m",
+        "half the distance from lowest to highest, mean of the cycles",
         [](const Porpoising& p) { return p.heave.amplitude; });
     add("porpoising_period", "Porpoising, period", "s", "mean of the cycles",
         [](const Porpoising& p) { return p.period(); });

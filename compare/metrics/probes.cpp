@@ -218,13 +218,13 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
                 [&](auto t, auto x) { return largest_window_mean(t, x, window); });
             add("_p99",
                 fmt::format("{} at {} exceeded 1 % of the time", table == "height" ? "Height" : "Pressure", name), unit,
-                "99th percentile in time, in the time that all records cover", true, nothing,
+                "99th percentile over the time that all records cover", true, nothing,
                 [](auto t, auto x) { return time_percentile(t, x, 0.99); });
             if (tank) comparison.quantities.push_back(arrival_at(comparison, table, name, histories, window));
 
             Quantity mean =
                 new_quantity(fmt::format("{}_mean:{}", table, name), fmt::format("Mean {} at {}", table, name), unit,
-                             "time mean over the run; in a stream of its settled part");
+                             "mean over the run; in a stream over its settled part");
             for (const RunRecord& r : comparison.sources)
                 mean.values.push_back(flow_through_time(r) > 0 ? mean_of(r, table, name, options)
                                                                : mean_over_run(r, table, name));

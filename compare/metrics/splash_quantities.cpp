@@ -18,7 +18,6 @@
 #include "record/solid_at_rest.h"
 #include "record/spray_jet.h"
 #include "statistics/flow_through.h"
-#include "statistics/settled_mean.h"
 
 namespace tw {
 
@@ -80,10 +79,6 @@ void withhold_if_cut_off(MeanValue& value, double highest, double still_level, c
         fmt::format("water reaches the top, {:.3g} m above still water, where heights are cut off", top - still_level);
 }
 
-bool has_frames(const Comparison& c) {
-    return std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
-}
-
 }  // namespace
 
 MeanValue value_of_frames(double value, double half_width, double floor, const RunRecord& record,
@@ -117,98 +112,100 @@ void withhold_if_short(MeanValue& value, const Analysis& analysis, const RunReco
                     std::max(window, 0.0), needed, value.seconds_needed);
 }
 
-void add_splash(Comparison& comparison, const CompareOptions& options) {
-    if (!has_frames(comparison)) return;
-    const bool stream = is_stream(comparison.sources.front());
-    const std::string unresolved = stream ? unresolved_jet(comparison.sources) : "";
-    enum class Kind { integral, height, amount };
-    struct Measure {
-        const char *name, *label, *unit, *column, *definition;
-        Kind kind;
-    };
-    for (const Measure& m :
-         {Measure{
-              "splash_raised", "Water raised behind the hull", "m2", "raised_area",
-              "wave and splash: water above still water behind the hull, per metre of way, whole hull: its volume in "
-              "the raster over the length there",
-              Kind::integral},
-          Measure{"splash_raised_mean", "Mean height of the raised water", "m", "raised_mean",
-                  "height above still water of the centre of the water raised behind the hull", Kind::integral},
-          Measure{"splash_raised_p90", "Upper decile of the raised water", "m", "raised_p90",
-                  "height above still water below which 90 % of the water raised behind the hull lies", Kind::integral},
-          Measure{"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
-                  "height above still water of the highest splash that is connected to the main body: voxels at least "
-                  "half full, 26 neighbours; splash stands more than a surface "
-                  "cell above the smooth wave",
-                  Kind::height},
-          Measure{"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",
-                  "height above still water below which 95 % of the airborne water lies", Kind::height},
-          Measure{"splash_p99", "Splash height, 99 % of airborne water", "m", "p99",
-                  "height above still water below which 99 % of the airborne water lies", Kind::height},
-          Measure{"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9",
-                  "height above still water below which 99.9 % of the airborne water lies", Kind::height},
-          Measure{"airborne_volume", "Airborne water", "m3", "airborne_volume",
-                  "water more than a surface cell above the smooth wave, attached or not, whole hull", Kind::amount},
-          Measure{"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy",
-                  "rho g times the airborne water's volume times height", Kind::amount}}) {
-        const bool height = m.kind == Kind::height;
-        if (m.kind == Kind::integral && !stream) continue;
-        Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
-        for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
-            const RunRecord& record = comparison.sources[s];
-            const double floor = height ? 0.5 * record.raster.voxel : 0;
-            const double tank_from = record.hull.points.empty() ? comparison.analyses[s].settled_from : 0;
-            MeanValue value;
-            const Column* column = comparison.analyses[s].splash.find(m.column);
-            if (!column) {
-                value.why_not = "no raster frames";
-            } else if (!stream) {
-                value = value_of_frames(largest(comparison.analyses[s].splash, *column, tank_from), 0, floor, record,
-                                        "no airborne water");
-            } else {
-                SettledRules rules;
-                rules.from = comparison.analyses[s].settled_from;
-                rules.flow_through = flow_through_time(record);
-                rules.fewest_flow_throughs = options.fewest_flow_throughs;
-                rules.fewest_independent = options.fewest_independent;
-                rules.largest_error = options.largest_error;
-                rules.allowed_error = floor;
-                value = settled_mean(comparison.analyses[s].splash.time, column->values, rules);
-                widen_to(value, floor);
-                if (!value.known && !(largest(comparison.analyses[s].splash, *column, rules.from) > -HUGE_VAL))
-                    value.why_not = m.kind == Kind::integral ? "no water behind a hull" : "no airborne water";
-            }
-            if (column && height)
-                withhold_if_cut_off(value,
-                                    largest(comparison.analyses[s].splash, *column,
-                                            stream ? comparison.analyses[s].settled_from : tank_from),
-                                    comparison.analyses[s].still_level, record);
-            q.values.push_back(value);
-        }
-        if (height)
-            q.definition +=
-                fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.voxel);
-        if (!stream)
-            q.definition +=
-                "; the largest of the run (without a hull from mean_from on), since a tank's water does not settle";
-        if (m.kind != Kind::integral) q.not_resolved = q.remark = unresolved;
-        // A volume's largest value has no interval that could carry a verdict.
-        if (q.not_resolved.empty() && (stream || height))
-            judge(q, comparison.names, comparison.agree_within);
-        else
-            beside(q);
-        comparison.quantities.push_back(std::move(q));
-    }
+namespace {
 
+bool has_frames(const Comparison& c) {
+    return std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
+}
+
+enum class SplashKind { integral, height, amount };
+
+/// A quantity of the splash and the column of the splash series that it comes from.
+struct SplashMeasure {
+    const char *name, *label, *unit, *column, *definition;
+    SplashKind kind;
+};
+
+constexpr SplashMeasure splash_measures[] = {
+    {"splash_raised", "Water raised behind the hull", "m2", "raised_area",
+     "wave and splash: water above still water behind the hull, per metre of way, whole hull: its volume in "
+     "the raster over the length there",
+     SplashKind::integral},
+    {"splash_raised_mean", "Mean height of the raised water", "m", "raised_mean",
+     "height above still water of the centre of the water raised behind the hull", SplashKind::integral},
+    {"splash_raised_p90", "Upper decile of the raised water", "m", "raised_p90",
+     "height above still water below which 90 % of the water raised behind the hull lies", SplashKind::integral},
+    {"splash_sheet_height", "Splash height (connected sheet)", "m", "sheet_height",
+     "height above still water of the highest splash that is connected to the main body: voxels at least "
+     "half full, 26 neighbours; splash stands more than a surface "
+     "cell above the smooth wave",
+     SplashKind::height},
+    {"splash_p95", "Splash height, 95 % of airborne water", "m", "p95",
+     "height above still water below which 95 % of the airborne water lies", SplashKind::height},
+    {"splash_p99", "Splash height, 99 % of airborne water", "m", "p99",
+     "height above still water below which 99 % of the airborne water lies", SplashKind::height},
+    {"splash_p99_9", "Splash height, 99.9 % of airborne water", "m", "p99_9",
+     "height above still water below which 99.9 % of the airborne water lies", SplashKind::height},
+    {"airborne_volume", "Airborne water", "m3", "airborne_volume",
+     "water more than a surface cell above the smooth wave, attached or not, whole hull", SplashKind::amount},
+    {"airborne_energy", "Potential energy of airborne water", "J", "airborne_energy",
+     "rho g times the airborne water's volume times height", SplashKind::amount}};
+
+/// In a stream the settled mean of the measure's column; in a tank, whose water does not settle, its largest value.
+MeanValue splash_value(const SplashMeasure& m, const RunRecord& record, const Analysis& analysis, bool stream,
+                       const CompareOptions& options) {
+    const bool height = m.kind == SplashKind::height;
+    const double floor = height ? 0.5 * record.raster.voxel : 0;
+    const double from = stream || record.hull.points.empty() ? analysis.settled_from : 0;
+    MeanValue value;
+    const Column* column = analysis.splash.find(m.column);
+    if (!column) {
+        value.why_not = "no raster frames";
+        return value;
+    }
+    const double highest = largest(analysis.splash, *column, from);
+    if (stream) {
+        value = settled_mean(analysis.splash.time, column->values, settled_rules(record, options, floor));
+        widen_to(value, floor);
+        if (!value.known && !(highest > -HUGE_VAL))
+            value.why_not = m.kind == SplashKind::integral ? "no water behind a hull" : "no airborne water";
+    } else {
+        value = value_of_frames(highest, 0, floor, record, "no airborne water");
+    }
+    if (height) withhold_if_cut_off(value, highest, analysis.still_level, record);
+    return value;
+}
+
+/// `unresolved`: why what is thrown is not judged; "" where it is.
+void add_splash_measure(Comparison& comparison, const SplashMeasure& m, bool stream, const std::string& unresolved,
+                        const CompareOptions& options) {
+    const bool height = m.kind == SplashKind::height;
+    Quantity q = new_quantity(m.name, m.label, m.unit, m.definition);
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s)
+        q.values.push_back(splash_value(m, comparison.sources[s], comparison.analyses[s], stream, options));
+    if (height)
+        q.definition +=
+            fmt::format("; no better than half a voxel ({:.3g} m)", 0.5 * comparison.sources[0].raster.voxel);
+    if (!stream)
+        q.definition +=
+            "; the largest of the run (without a hull from mean_from on), since a tank's water does not settle";
+    if (m.kind != SplashKind::integral) q.not_resolved = q.remark = unresolved;
+    // A volume's largest value has no interval that could carry a verdict.
+    if (q.not_resolved.empty() && (stream || height))
+        judge(q, comparison.names, comparison.agree_within);
+    else
+        beside(q);
+    comparison.quantities.push_back(std::move(q));
+}
+
+/// The highest connected water and the highest voxel with any, beside the verdict: one droplet decides them.
+void add_highest_water(Comparison& comparison) {
     Quantity envelope =
         new_quantity("splash_envelope", "Splash envelope, highest point", "m",
                      "highest connected water at any time of the settled frames; grows with the length of the record");
     Quantity raw = new_quantity("splash_raw_max", "Highest water of any kind (raw)", "m",
                                 "highest voxel with a water share of 1/100 at any time of the settled frames: one "
                                 "droplet decides it, so it is shown and not judged");
-    Quantity wake = new_quantity("wake_width", "Kelvin wake width", "m",
-                                 "behind the hull: mean distance between the outermost columns whose envelope reaches "
-                                 "half the mean crest height; no better than a voxel");
     for (std::size_t s = 0; s < comparison.sources.size(); ++s) {
         const RunRecord& record = comparison.sources[s];
         const Analysis& a = comparison.analyses[s];
@@ -221,30 +218,52 @@ void add_splash(Comparison& comparison, const CompareOptions& options) {
         const double droplet =
             heights ? largest(a.splash, *heights, a.settled_from) : std::numeric_limits<double>::quiet_NaN();
         raw.values.push_back(value_of_frames(droplet, 0, 0.5 * record.raster.voxel, record, "no raster frames"));
-        const WakeWidth found = wake_width(record, a.envelope, a.still_level);
-        wake.values.push_back(
-            value_of_frames(found.mean, 0, number_of_text(record, "symmetry_factor", 1) * 0.5 * record.raster.voxel,
-                            record, record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel"));
-        withhold_if_short(wake.values.back(), a, record, options);
-        const double widest =
-            number_of_text(record, "symmetry_factor", 1) * record.raster.count[1] * record.raster.voxel;
-        if (wake.values.back().known && found.clipped > 0) {
-            wake.values.back() = {};
-            wake.values.back().why_not = fmt::format(
-                "over {:.0f} % of its length the wake is as wide as the raster ({:.3g} m), or wider than is seen",
-                100 * found.clipped, widest);
-        }
     }
     for (Quantity* q : {&envelope, &raw}) {
         beside(*q);
         comparison.quantities.push_back(std::move(*q));
     }
-    if (std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
-            return !r.hull.points.empty() && number_of(r, "speed", 0) > 0;
-        })) {
-        judge(wake, comparison.names, comparison.agree_within);
-        comparison.quantities.push_back(std::move(wake));
+}
+
+MeanValue wake_value(const RunRecord& record, const Analysis& a, const CompareOptions& options) {
+    const double mirrored = number_of_text(record, "symmetry_factor", 1), voxel = record.raster.voxel;
+    const WakeWidth found = wake_width(record, a.envelope, a.still_level);
+    MeanValue value = value_of_frames(found.mean, 0, mirrored * 0.5 * voxel, record,
+                                      record.frames.empty() ? "no raster frames" : "no wake crest above half a voxel");
+    withhold_if_short(value, a, record, options);
+    if (value.known && found.clipped > 0) {
+        value = {};
+        value.why_not = fmt::format(
+            "over {:.0f} % of its length the wake is as wide as the raster ({:.3g} m), or wider than is seen",
+            100 * found.clipped, mirrored * record.raster.count[1] * voxel);
     }
+    return value;
+}
+
+/// Of a hull that moves.
+void add_wake_width(Comparison& comparison, const CompareOptions& options) {
+    if (std::ranges::none_of(comparison.sources,
+                             [](const RunRecord& r) { return !r.hull.points.empty() && number_of(r, "speed", 0) > 0; }))
+        return;
+    Quantity wake = new_quantity("wake_width", "Kelvin wake width", "m",
+                                 "behind the hull: mean distance between the outermost columns whose envelope reaches "
+                                 "half the mean crest height; no better than a voxel");
+    for (std::size_t s = 0; s < comparison.sources.size(); ++s)
+        wake.values.push_back(wake_value(comparison.sources[s], comparison.analyses[s], options));
+    judge(wake, comparison.names, comparison.agree_within);
+    comparison.quantities.push_back(std::move(wake));
+}
+
+}  // namespace
+
+void add_splash(Comparison& comparison, const CompareOptions& options) {
+    if (!has_frames(comparison)) return;
+    const bool stream = is_stream(comparison.sources.front());
+    const std::string unresolved = stream ? unresolved_jet(comparison.sources) : "";
+    for (const SplashMeasure& m : splash_measures)
+        if (stream || m.kind != SplashKind::integral) add_splash_measure(comparison, m, stream, unresolved, options);
+    add_highest_water(comparison);
+    add_wake_width(comparison, options);
 }
 
 }  // namespace tw

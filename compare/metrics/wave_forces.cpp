@@ -56,7 +56,7 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
                                              way, periods.count);
         Quantity amplitude = new_quantity("wave_force_" + axis, "Wave force " + way, unit, "amplitude of the " + over),
                  phase = new_quantity("wave_force_phase_" + axis, "Phase of the wave force " + way, "deg",
-                                      "by how much it is before the theory's crest at x = 0; " + over),
+                                      "lead over the theory's crest at x = 0; " + over),
                  mean = new_quantity("wave_drift_" + axis, "Mean wave force " + way, unit, "mean over whole periods");
         for (const RunRecord& r : comparison.sources) {
             const auto table = r.tables.find("forces");

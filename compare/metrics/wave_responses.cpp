@@ -169,8 +169,10 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
                           : "the slope k a of the surface at its place in the run without the body, period by period",
                     true);
             add("response", fmt::format("of {} over the wave asked for", words_of),
-                heave ? "half of the wave's height as asked for, so that what the wave loses on its way is in it"
-                      : "the slope pi H / L of the wave as asked for, so that what the wave loses on its way is in it",
+                heave ? "half the wave height that the scene asks for (what the wave loses on its way is part of the "
+                        "response)"
+                      : "the slope pi H / L of the wave that the scene asks for (what the wave loses on its way is "
+                        "part of the response)",
                 false);
         }
         if (any_twin && any_response) add_wave_without(comparison, name, bodies, height, periods);

@@ -13,6 +13,7 @@
 #include "record/hull_motion.h"
 #include "record/record_numbers.h"
 #include "statistics/student_t.h"
+#include "statistics/whole_periods.h"
 
 namespace tw {
 
@@ -53,7 +54,7 @@ inline TurningPoint turning_point(std::span<const double> t, std::span<const dou
 
 /// The time that the tables of all records cover which `counts`, from mean_from on [s]; without an end: there is none.
 struct CommonTime {
-    double from = 0, to = HUGE_VAL;
+    double from = 0, to = HUGE_VAL;  ///< [s]
 };
 template <class Counts>
 CommonTime common_time(const Comparison& comparison, Counts counts) {
@@ -80,7 +81,7 @@ inline constexpr int fewest_in_a_period = 14;  ///< samples, for a mean and thre
 
 /// The last whole periods within the time that all records cover [s].
 struct WavePeriods {
-    double from = 0, period = 0;
+    double from = 0, period = 0;  ///< [s]
     int count = 0;
 };
 inline WavePeriods wave_periods(const Comparison& c) {
@@ -90,7 +91,7 @@ inline WavePeriods wave_periods(const Comparison& c) {
     });
     for (const RunRecord& r : c.sources) p.period = std::max(p.period, number_of(r, "wave_period", 0));
     if (!(p.period > 0) || !std::isfinite(to)) return p;
-    p.count = std::max(0, static_cast<int>(std::floor((to - from) / p.period + 1e-6)));
+    p.count = whole_periods(from, to, p.period);
     p.from = to - p.count * p.period;
     return p;
 }

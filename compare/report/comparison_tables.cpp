@@ -40,7 +40,7 @@ std::string missing_text(const Comparison& c, const Quantity& q) {
 /// Of the difference in per cent of the values.
 double relative_interval(const Difference& d) { return d.size > 0 ? 100 * d.interval / d.size : std::nan(""); }
 
-ReportCell mark_of(const Gate& g) {
+ReportCell mark_of(const ValidityCheck& g) {
     if (g.pass) return {"met", Mark::good};
     return g.warns ? ReportCell("warning", Mark::open) : ReportCell("not met", Mark::bad);
 }
@@ -57,71 +57,58 @@ ReportCell verdict_cell(Verdict verdict) {
     return {verdict_label(verdict), mark};
 }
 
-ReportTable quantities_table(const Comparison& c, bool judged) {
-    const bool pair = c.sources.size() > 1;
-    ReportTable table{judged ? (pair ? "Difference by quantity" : "Values") : "Also measured, without a verdict",
-                      {words("Quantity"), words("unit")}};
-    add_source_columns(table, c, true);
-    const bool matrix = c.sources.size() > 2;
-    if (pair) {
-        if (matrix) table.columns.push_back(words("between"));
-        table.columns.push_back(
-            numbers(matrix ? "difference" : method_label(c.names[1]) + " − " + method_label(c.names[0])));
-        table.columns.push_back(numbers("relative"));
-        if (judged) table.columns.push_back(words("verdict"));
-    }
-    std::string zero, unknown;  // rows that would say nothing are named below the table
-    for (const Quantity& q : c.quantities) {
-        if (q.judged != judged) continue;
-        if (std::ranges::none_of(q.values, &MeanValue::known)) {
-            const std::string why = missing_text(c, q);
-            unknown += (unknown.empty() ? "" : "; ") + q.label + (why.empty() ? "" : " (" + why + ")");
-            continue;
-        }
-        if (std::ranges::all_of(q.values,
-                                [](const MeanValue& m) { return m.known && m.value == 0 && !(m.bar() > 0); })) {
-            zero += (zero.empty() ? "" : ", ") + q.label;
-            continue;
-        }
-        ReportRow row{{q.label, q.unit}, q.remark};
-        if (!q.caveat.empty()) row.remark += (row.remark.empty() ? "" : "; ") + q.caveat;
-        if (row.remark.find(q.not_resolved) == row.remark.npos)
-            row.remark += (row.remark.empty() ? "" : "; ") + q.not_resolved;
-        if (const std::string missing = missing_text(c, q); !missing.empty())
-            row.remark += (row.remark.empty() ? "" : "; ") + missing;
-        for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));
-        if (!pair) table.rows.push_back(std::move(row));
-        for (const Difference& d : pair ? q.differences() : std::span<const Difference>()) {
-            if (matrix && !std::isfinite(d.difference) && (std::isfinite(q.difference) || &d != &q.pairs.front()))
+namespace {
+
+/// Remark, caveat, why it is not resolved and why values are missing, each once.
+std::string row_remark(const Comparison& c, const Quantity& q) {
+    std::string remark = q.remark;
+    const auto add = [&](const std::string& more) {
+        if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
+    };
+    add(q.caveat);
+    if (remark.find(q.not_resolved) == remark.npos) add(q.not_resolved);
+    add(missing_text(c, q));
+    return remark;
+}
+
+/// A row for each pair of sources, or one where there is a single source; the values stand in the first.
+void add_rows(ReportTable& table, const Comparison& c, const Quantity& q, bool judged) {
+    const std::size_t sources = c.sources.size();
+    ReportRow row{{q.label, q.unit}, row_remark(c, q)};
+    for (const MeanValue& m : q.values) row.cells.emplace_back(mean_text(m));
+    if (sources < 2) table.rows.push_back(std::move(row));
+    for (const Difference& d : sources > 1 ? q.differences() : std::span<const Difference>()) {
+        if (sources > 2) {
+            if (!std::isfinite(d.difference) && (std::isfinite(q.difference) || &d != &q.pairs.front()))
                 continue;  // a value is missing: said once
-            if (matrix) {
-                row.cells.resize(2 + c.sources.size());  // its values stand once
-                row.cells.emplace_back(method_label(c.names[d.b]) + " − " + method_label(c.names[d.a]));
-                if (!d.remark.empty() && std::isfinite(d.difference))
-                    row.remark += (row.remark.empty() ? "" : "; ") + method_label(c.names[d.b]) + " − " +
-                                  method_label(c.names[d.a]) + ": " + d.remark;
-            }
-            row.cells.emplace_back(signed_text(d.difference, d.interval));
-            row.cells.emplace_back(difference_text(d.per_cent, relative_interval(d),
-                                                   of_scale(d.size, q.values[d.a].value, q.values[d.b].value, q.unit)));
-            if (judged) row.cells.push_back(verdict_cell(d.verdict));
-            table.rows.push_back(row);
-            row = {std::vector<ReportCell>(2 + c.sources.size())};
-            row.cells.front() = q.label;
+            const std::string between = method_label(c.names[d.b]) + " − " + method_label(c.names[d.a]);
+            row.cells.resize(2 + sources);
+            row.cells.emplace_back(between);
+            if (!d.remark.empty() && std::isfinite(d.difference))
+                row.remark += (row.remark.empty() ? "" : "; ") + between + ": " + d.remark;
         }
-        for (const Reference& r : c.references) {
-            if (r.quantity != q.name) continue;
+        row.cells.emplace_back(signed_text(d.difference, d.interval));
+        row.cells.emplace_back(difference_text(d.per_cent, relative_interval(d),
+                                               of_scale(d.size, q.values[d.a].value, q.values[d.b].value, q.unit)));
+        if (judged) row.cells.push_back(verdict_cell(d.verdict));
+        table.rows.push_back(row);
+        row = {std::vector<ReportCell>(2 + sources)};
+        row.cells.front() = q.label;
+    }
+    for (const Reference& r : c.references)
+        if (r.quantity == q.name)
             table.rows.push_back(
                 {{q.label + ", " + r.source, r.unit, value_text(r.value, r.half_width)}, r.remark, true});
-        }
-    }
-    if (!zero.empty()) table.notes.push_back("0 in every run: " + zero + ".");
-    if (!unknown.empty()) table.notes.push_back("Without a value in any run: " + unknown + ".");
+}
+
+/// What the values and their intervals are, and what a verdict means.
+void add_notes(ReportTable& table, const Comparison& c, bool judged) {
+    const bool pair = c.sources.size() > 1;
     if (!judged) {
         table.notes.push_back(
             "± is the scatter of the means (95 %), or what else limits them (raster, time between frames); the "
             "discretisation error is not in it.");
-        return table;
+        return;
     }
     const std::string values = is_stream(c.sources.front())
                                    ? "Values are settled means. "
@@ -135,7 +122,7 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
                 "Runs of one size each show how far apart the methods are at this size. Whether they agree needs the "
                 "discretisation error, which takes several sizes: twinwake run without --no-twins, or twinwake "
                 "ladder.");
-        return table;
+        return;
     }
     table.notes.push_back(values +
                           "± is the 95 % interval of the statistical scatter of the mean, of the "
@@ -150,6 +137,38 @@ ReportTable quantities_table(const Comparison& c, bool judged) {
             "influence of the walls of the "
             "box is not part of the joint interval, because both methods solve the same box.",
             100 * c.agree_within));
+}
+
+}  // namespace
+
+ReportTable quantities_table(const Comparison& c, bool judged) {
+    const bool pair = c.sources.size() > 1, matrix = c.sources.size() > 2;
+    ReportTable table{judged ? (pair ? "Difference by quantity" : "Values") : "Also measured, without a verdict",
+                      {words("Quantity"), words("unit")}};
+    add_source_columns(table, c, true);
+    if (pair) {
+        if (matrix) table.columns.push_back(words("between"));
+        table.columns.push_back(
+            numbers(matrix ? "difference" : method_label(c.names[1]) + " − " + method_label(c.names[0])));
+        table.columns.push_back(numbers("relative"));
+        if (judged) table.columns.push_back(words("verdict"));
+    }
+    std::string zero, unknown;  // rows that would say nothing are named below the table
+    for (const Quantity& q : c.quantities) {
+        if (q.judged != judged) continue;
+        if (std::ranges::none_of(q.values, &MeanValue::known)) {
+            const std::string why = missing_text(c, q);
+            unknown += (unknown.empty() ? "" : "; ") + q.label + (why.empty() ? "" : " (" + why + ")");
+        } else if (std::ranges::all_of(q.values,
+                                       [](const MeanValue& m) { return m.known && m.value == 0 && !(m.bar() > 0); })) {
+            zero += (zero.empty() ? "" : ", ") + q.label;
+        } else {
+            add_rows(table, c, q, judged);
+        }
+    }
+    if (!zero.empty()) table.notes.push_back("0 in every run: " + zero + ".");
+    if (!unknown.empty()) table.notes.push_back("Without a value in any run: " + unknown + ".");
+    add_notes(table, c, judged);
     return table;
 }
 
@@ -192,7 +211,7 @@ ReportTable left_out_table(const Comparison& c) {
     table.notes.push_back(
         std::string("Values with outer intervals: root of the sum of squares of the interval and of the influences "
                     "that have a bound.") +
-        (c.sources.size() > 1 ? " What both methods leave out is not in their difference." : ""));
+        (c.sources.size() > 1 ? " What both methods leave out cancels in their difference." : ""));
     return table;
 }
 
@@ -227,11 +246,11 @@ ReportTable settling_table(const Comparison& c) {
     return table;
 }
 
-ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only) {
+ReportTable checks_table(const std::vector<ValidityCheck>& checks, bool failed_only) {
     ReportTable table{
         failed_only ? "Checks not met" : "Soundness of the runs",
         {words("Check"), words("run"), numbers("value"), words("unit"), numbers("limit"), words(""), words("remark")}};
-    for (const Gate& g : gates)
+    for (const ValidityCheck& g : checks)
         if (!failed_only || !g.pass)
             table.rows.push_back({{g.name, method_label(g.source), g.value, g.unit == "-" ? "" : g.unit, g.limit,
                                    mark_of(g), g.remark}});

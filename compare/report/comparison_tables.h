@@ -14,7 +14,7 @@ ReportTable left_out_table(const Comparison& comparison);
 /// How the settled means were taken.
 ReportTable settling_table(const Comparison& comparison);
 /// Validity checks of the record and of the run itself; `failed_only`: those that are not met.
-ReportTable checks_table(const std::vector<Gate>& gates, bool failed_only);
+ReportTable checks_table(const std::vector<ValidityCheck>& checks, bool failed_only);
 ReportTable effects_table(const Comparison& comparison);
 ReportTable cost_table(const Comparison& comparison);
 ReportTable provenance_table(const Comparison& comparison);

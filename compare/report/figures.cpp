@@ -196,13 +196,13 @@ Figure map_figure(const Comparison& c, std::size_t s, const ColourScale& scale) 
     return {fmt::format("elevation_map_{}", s), live_plot(plot)};
 }
 
-}  // namespace
+bool any_has(const Comparison& c, const char* table, const char* column) {
+    return std::ranges::any_of(c.sources, [&](const RunRecord& r) { return r.series(table, column) != nullptr; });
+}
 
-Figures draw_figures(const Comparison& c) {
-    Figures f;
-    const auto any = [&](const char* table, const char* column) {
-        return std::ranges::any_of(c.sources, [&](const RunRecord& r) { return r.series(table, column) != nullptr; });
-    };
+/// Loads over time, and how a free hull moves.
+std::vector<Figure> force_figures(const Comparison& c) {
+    std::vector<Figure> figures;
     const bool stream = std::ranges::any_of(c.sources, is_stream);
     const ForceNames called = force_names(stream);
     for (const Trace& t :
@@ -210,57 +210,68 @@ Figures draw_figures(const Comparison& c) {
           Trace{"drag", called.along, "fx", lower_case_first(called.along) + unit_of(c, "forces", "fx")},
           Trace{"trim_moment", called.moment + (stream ? ", bow up" : ""), "my",
                 "moment" + unit_of(c, "forces", "my")}})
-        if (any("forces", t.column)) f.forces.push_back(force_figure(c, t));
+        if (any_has(c, "forces", t.column)) figures.push_back(force_figure(c, t));
     for (const auto& [column, title, unit, quantity] :
          {std::tuple{"trim", "Running trim", "trim, bow up [deg]", "running_trim"},
           std::tuple{"z", "Height of the centre of gravity", "above still water [m]", ""},
           std::tuple{"transom_draft", "Draft of the transom's keel", "below still water [m]", ""}})
-        if (any(hull_motion_table, column))
-            f.forces.push_back(
+        if (any_has(c, hull_motion_table, column))
+            figures.push_back(
                 series_figure(c, hull_motion_table, column, title, unit, quantity, fmt::format("hull_{}", column)));
-    if (const std::string picture = resolution_picture(c.sources, c.names); !picture.empty())
-        f.resolution.push_back({"resolution", {picture, {}}});
-    const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
-    if (frames) {
-        if (const Quantity* raised = c.find("splash_raised");
-            raised && std::ranges::any_of(raised->values, &MeanValue::known))
-            f.splash.push_back(splash_figure(c, "splash_raised", "Water raised behind the hull, per metre of way",
-                                             "area [m2]", "raised_area", "splash_raised"));
-        const auto resolved = [&](const char* quantity) {
-            const Quantity* q = c.find(quantity);
-            if (q && !q->not_resolved.empty() && f.splash_not_drawn.empty()) f.splash_not_drawn = q->not_resolved;
-            return !q || q->not_resolved.empty();
-        };
-        if (resolved("splash_sheet_height"))
-            f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",
-                                             "splash_sheet_height"));
-        if (resolved("splash_p99"))
-            f.splash.push_back(splash_figure(c, "splash_p99", "99 % of the airborne water lies below", "height [m]",
-                                             "p99", "splash_p99"));
-        if (resolved("airborne_volume"))
-            f.splash.push_back(splash_figure(c, "airborne_volume", "Airborne water", "volume [m3]", "airborne_volume",
-                                             "airborne_volume"));
-        if (f.splash_not_drawn.empty())
-            f.splash.push_back(splash_figure(c, "splash_raw", "Highest water of any kind (not judged)", "height [m]",
-                                             "raw_height", ""));
-    }
-    if (any("samples", "wetted_length"))
-        f.wetting.push_back(series_figure(c, "samples", "wetted_length", "Wetted length", "length [m]", "wetted_length",
-                                          "wetted_length"));
+    return figures;
+}
+
+/// Raised water, and of the spray what is resolved; what is not, and why, goes into `splash_not_drawn`.
+void add_splash_figures(Figures& f, const Comparison& c) {
+    if (const Quantity* raised = c.find("splash_raised");
+        raised && std::ranges::any_of(raised->values, &MeanValue::known))
+        f.splash.push_back(splash_figure(c, "splash_raised", "Water raised behind the hull, per metre of way",
+                                         "area [m2]", "raised_area", "splash_raised"));
+    const auto resolved = [&](const char* quantity) {
+        const Quantity* q = c.find(quantity);
+        if (q && !q->not_resolved.empty() && f.splash_not_drawn.empty()) f.splash_not_drawn = q->not_resolved;
+        return !q || q->not_resolved.empty();
+    };
+    if (resolved("splash_sheet_height"))
+        f.splash.push_back(splash_figure(c, "splash_sheet", "Highest connected water", "height [m]", "sheet_height",
+                                         "splash_sheet_height"));
+    if (resolved("splash_p99"))
+        f.splash.push_back(
+            splash_figure(c, "splash_p99", "99 % of the airborne water lies below", "height [m]", "p99", "splash_p99"));
+    if (resolved("airborne_volume"))
+        f.splash.push_back(
+            splash_figure(c, "airborne_volume", "Airborne water", "volume [m3]", "airborne_volume", "airborne_volume"));
+    if (f.splash_not_drawn.empty())
+        f.splash.push_back(
+            splash_figure(c, "splash_raw", "Highest water of any kind (not judged)", "height [m]", "raw_height", ""));
+}
+
+std::vector<Figure> cut_figures(const Comparison& c) {
+    std::vector<Figure> figures;
     const auto with_cuts = std::ranges::find_if(c.analyses, [](const Analysis& a) { return !a.cuts.empty(); });
     for (std::size_t k = 0; with_cuts != c.analyses.end() && k < with_cuts->cuts.size(); ++k)
-        f.cuts.push_back(cut_figure(c, *with_cuts, k));
-    int probe = 0;
+        figures.push_back(cut_figure(c, *with_cuts, k));
+    return figures;
+}
+
+std::vector<Figure> probe_figures(const Comparison& c) {
+    std::vector<Figure> figures;
     for (const std::string table : {"height", "pressure"}) {
         std::set<std::pair<std::string, std::string>> names;
         for (const RunRecord& r : c.sources)
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& column : found->second.columns) names.emplace(column.name, column.unit);
         for (const auto& [name, unit] : names)
-            f.probes.push_back(series_figure(
+            figures.push_back(series_figure(
                 c, table, name, fmt::format("{} at {}", table == "height" ? "Water height" : "Pressure", name),
-                fmt::format("{} [{}]", table, unit), "", fmt::format("probe_{}", probe++)));
+                fmt::format("{} [{}]", table, unit), "", fmt::format("probe_{}", figures.size())));
     }
+    return figures;
+}
+
+/// How bodies move and are loaded, what their entry leaves in the water, and the strains of elastic ones.
+std::vector<Figure> body_figures(const Comparison& c) {
+    std::vector<Figure> figures;
     std::set<std::string> bodies;
     for (const RunRecord& r : c.sources)
         for (const auto& [table, content] : r.tables)
@@ -271,10 +282,10 @@ Figures draw_figures(const Comparison& c) {
         for (const auto& [column, title, label] :
              {std::tuple{"z", "Height of the centre of mass", "z"}, std::tuple{"vz", "Vertical velocity", "velocity"},
               std::tuple{"fz", "Vertical force of the water", "force"}})
-            f.bodies.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name),
-                                             label + unit_of(c, table, column), "",
-                                             fmt::format("body_{}_{}", body, column)));
-        std::ranges::move(entry_figures(c, name, body), std::back_inserter(f.bodies));
+            figures.push_back(series_figure(c, table, column, fmt::format("{} of {}", title, name),
+                                            label + unit_of(c, table, column), "",
+                                            fmt::format("body_{}_{}", body, column)));
+        std::ranges::move(entry_figures(c, name, body), std::back_inserter(figures));
         ++body;
     }
     int gauge = 0;
@@ -282,10 +293,14 @@ Figures draw_figures(const Comparison& c) {
         if (!q.name.starts_with("strain_peak:")) continue;
         const auto colon = q.name.find(':', 12);
         const std::string name = q.name.substr(12, colon - 12), column = q.name.substr(colon + 1);
-        f.bodies.push_back(series_figure(c, body_table(name), column, fmt::format("Strain {} of {}", column, name),
-                                         "strain [-]", "", fmt::format("gauge_{}", gauge++)));
+        figures.push_back(series_figure(c, body_table(name), column, fmt::format("Strain {} of {}", column, name),
+                                        "strain [-]", "", fmt::format("gauge_{}", gauge++)));
     }
-    if (!frames) return f;
+    return figures;
+}
+
+/// The surface from above and the rendered pictures, with their legends.
+void add_pictures(Figures& f, const Comparison& c) {
     const ColourScale scale = elevation_scale(elevation_half_range(c), c.analyses.front().still_level);
     f.elevation_legend = scale.legend(is_stream(c.sources.front()) ? "height above still water [m]" : "height z [m]");
     for (std::size_t s = 0; s < c.sources.size(); ++s)
@@ -295,6 +310,24 @@ Figures draw_figures(const Comparison& c) {
     if (f.pictures.pressure_high > f.pictures.pressure_low)
         f.pressure_legend =
             pressure_scale(f.pictures.pressure_low / 1e3, f.pictures.pressure_high / 1e3).legend("pressure [kPa]");
+}
+
+}  // namespace
+
+Figures draw_figures(const Comparison& c) {
+    Figures f;
+    f.forces = force_figures(c);
+    if (const std::string picture = resolution_picture(c.sources, c.names); !picture.empty())
+        f.resolution.push_back({"resolution", {picture, {}}});
+    const bool frames = std::ranges::any_of(c.sources, [](const RunRecord& r) { return !r.frames.empty(); });
+    if (frames) add_splash_figures(f, c);
+    if (any_has(c, "samples", "wetted_length"))
+        f.wetting.push_back(series_figure(c, "samples", "wetted_length", "Wetted length", "length [m]", "wetted_length",
+                                          "wetted_length"));
+    f.cuts = cut_figures(c);
+    f.probes = probe_figures(c);
+    f.bodies = body_figures(c);
+    if (frames) add_pictures(f, c);
     return f;
 }
 

@@ -186,8 +186,8 @@ std::string line_of(const Doubt& doubt) {
 std::string trust(const Comparison& c) {
     std::string out;
     for (const Doubt& doubt : doubts_of(c)) out += line_of(doubt);
-    const auto met = std::ranges::count_if(c.gates, &Gate::pass);
-    out += fmt::format("<p class=\"note\">{} of {} checks are met. Discretisation error: {}.</p>", met, c.gates.size(),
+    const auto met = std::ranges::count_if(c.checks, &ValidityCheck::pass);
+    out += fmt::format("<p class=\"note\">{} of {} checks are met. Discretisation error: {}.</p>", met, c.checks.size(),
                        c.discretisation_from.empty() ? "not estimated" : "from " + escaped(c.discretisation_from));
     return "<div class=\"trust\"><h2>Can it be trusted?</h2>" + out + "</div>";
 }

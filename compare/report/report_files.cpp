@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "base/read_file.h"
+#include "compare/metrics/box_walls.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/escape.h"
 #include "compare/report/numbers.h"
@@ -110,10 +111,10 @@ std::string series_csv(const Comparison& comparison) {
 std::string summary_text(const Comparison& comparison) {
     std::string out;
     for (const std::string& sentence : verdict_sentences(comparison)) out += for_terminal(sentence) + "\n";
-    for (const std::string& b : comparison.banners) out += "! " + for_terminal(b) + "\n";
+    for (const std::string& b : all_banners(comparison)) out += "! " + for_terminal(b) + "\n";
     for (const ReportTable& table :
          {quantities_table(comparison, true), left_out_table(comparison), quantities_table(comparison, false),
-          checks_table(comparison.gates, true), cost_table(comparison)})
+          checks_table(comparison.checks, true), cost_table(comparison)})
         if (!table.empty()) out += (out.empty() ? "" : "\n") + text_of(table);
     return out;
 }

@@ -170,7 +170,7 @@ std::string report_html(const Comparison& c, const Figures& f, const std::string
     out += details + resolution_section(c, f) + "<h2>All numbers</h2>";
     for (const ReportTable& table : {quantities_table(c, true), left_out_table(c), quantities_table(c, false)})
         out += folded_html(table);
-    out += settling(c) + folded_html(checks_table(c.gates, false)) + folded_html(effects_table(c)) + hull_section(c) +
+    out += settling(c) + folded_html(checks_table(c.checks, false)) + folded_html(effects_table(c)) + hull_section(c) +
            folded_html(cost_table(c)) + folded_html(provenance_table(c)) + definitions(c) + reproduce(c);
     return out + (*plots_script ? std::string("<script>") + plots_script + "</script>" : "") + page_end;
 }

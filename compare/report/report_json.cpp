@@ -2,8 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
-#include "record/record_numbers.h"
+#include "compare/metrics/box_walls.h"
 #include "compare/verdict/left_out.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -92,7 +93,7 @@ Json cost_json(const RunRecord& r, const std::string& name) {
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison) {
-    Json sources = Json::array(), quantities = Json::array(), references = Json::array(), gates = Json::array(),
+    Json sources = Json::array(), quantities = Json::array(), references = Json::array(), checks = Json::array(),
          cost = Json::array();
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const RunRecord& r = comparison.sources[i];
@@ -113,22 +114,22 @@ std::string comparison_json(const Comparison& comparison) {
                               {"value", number(r.value)},
                               {"interval", number(r.half_width)},
                               {"remark", r.remark}});
-    for (const Gate& g : comparison.gates)
-        gates.push_back({{"name", g.name},
-                         {"source", g.source},
-                         {"unit", g.unit},
-                         {"value", number(g.value)},
-                         {"limit", number(g.limit)},
-                         {"pass", g.pass},
-                         {"warns", g.warns},
-                         {"remark", g.remark}});
+    for (const ValidityCheck& g : comparison.checks)
+        checks.push_back({{"name", g.name},
+                          {"source", g.source},
+                          {"unit", g.unit},
+                          {"value", number(g.value)},
+                          {"limit", number(g.limit)},
+                          {"pass", g.pass},
+                          {"warns", g.warns},
+                          {"remark", g.remark}});
     const Json all = {{"agree_within", comparison.agree_within},
                       {"discretisation_from", comparison.discretisation_from},
-                      {"banners", comparison.banners},
+                      {"banners", all_banners(comparison)},
                       {"sources", sources},
                       {"quantities", quantities},
                       {"references", references},
-                      {"gates", gates},
+                      {"gates", checks},
                       {"cost", cost}};
     // Names and titles come from users' files: bytes that are no UTF-8 are replaced, not thrown at.
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -64,13 +64,25 @@ Range y_range(const Plot& p) {
     return r;
 }
 
+/// Where a plot's axes lie within its drawing, and the data on them.
+struct Axes {
+    Range xr, yr;                                     ///< what they cover, in data
+    double left = 0, top = 0, width = 0, height = 0;  ///< [px]
+    double x(double v) const { return at(left + width * (v - xr.low) / (xr.high - xr.low)); }
+    double y(double v) const { return at(top + height * (yr.high - v) / (yr.high - yr.low)); }
+
+private:
+    /// Far outside, where nothing is seen, places stay numbers that can be written.
+    static double at(double pixel) { return std::clamp(pixel, -1e6, 1e6); }
+};
+
 /// Path of a line, its points thinned to what a pixel column shows.
-std::string path(const PlotLine& line, const auto& X, const auto& Y) {
+std::string path(const PlotLine& line, const Axes& axes) {
     std::string d;
     bool pen_down = false;
-    for (const std::size_t i : thinned(line, [&](double x) { return std::floor(X(x)); })) {
+    for (const std::size_t i : thinned(line, [&](double x) { return std::floor(axes.x(x)); })) {
         const bool finite = std::isfinite(line.x[i]) && std::isfinite(line.y[i]);
-        if (finite) d += fmt::format("{}{:.1f},{:.1f}", pen_down ? 'L' : 'M', X(line.x[i]), Y(line.y[i]));
+        if (finite) d += fmt::format("{}{:.1f},{:.1f}", pen_down ? 'L' : 'M', axes.x(line.x[i]), axes.y(line.y[i]));
         pen_down = finite;
     }
     return d;
@@ -104,32 +116,172 @@ std::string axis_text(double v, double step, bool logarithmic) {
     return logarithmic ? number_text(std::pow(10, v)) : tick_text(v, step);
 }
 
-std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const auto& X, const auto& Y) {
+std::vector<LabelBox> areas_of(const std::vector<PlotBox>& boxes, const Axes& axes) {
     std::vector<LabelBox> areas;
     for (const PlotBox& b : boxes)
-        areas.push_back({X(b.x_min), Y(b.y_max), X(b.x_max), Y(b.y_min), 7.0 * static_cast<double>(b.label.size())});
+        areas.push_back({axes.x(b.x_min), axes.y(b.y_max), axes.x(b.x_max), axes.y(b.y_min),
+                         7.0 * static_cast<double>(b.label.size())});
     return areas;
 }
 
 /// Along the upper edges of the box's parts and back along their lower ones.
-std::string outline(const PlotBox& box, const auto& X, const auto& Y) {
+std::string outline(const PlotBox& box, const Axes& axes) {
     const std::vector<PlotBox> parts = box.parts.empty() ? std::vector{box} : box.parts;
     std::string there, back;
     for (const PlotBox& part : parts) {
-        there += fmt::format("{}{:.1f},{:.1f}H{:.1f}", there.empty() ? 'M' : 'L', X(part.x_min), Y(part.y_max),
-                             X(part.x_max));
-        back = fmt::format("L{:.1f},{:.1f}H{:.1f}", X(part.x_max), Y(part.y_min), X(part.x_min)) + back;
+        there += fmt::format("{}{:.1f},{:.1f}H{:.1f}", there.empty() ? 'M' : 'L', axes.x(part.x_min),
+                             axes.y(part.y_max), axes.x(part.x_max));
+        back = fmt::format("L{:.1f},{:.1f}H{:.1f}", axes.x(part.x_max), axes.y(part.y_min), axes.x(part.x_min)) + back;
     }
     return there + back + 'Z';
 }
 
 /// One upright stroke for each x, as wide as two steps so that no light falls between.
-std::string shadow_path(const PlotShadow& shadow, const auto& X, const auto& Y) {
+std::string shadow_path(const PlotShadow& shadow, const Axes& axes) {
     if (shadow.x.empty()) return {};
     std::string d;
     for (std::size_t i = 0; i < shadow.x.size(); ++i)
-        d += fmt::format("M{:.1f},{:.1f}V{:.1f}", X(shadow.x[i]), Y(shadow.low[i]), Y(shadow.high[i]));
-    return fmt::format("<path class=\"shadow\" stroke-width=\"{:.2f}\" d=\"{}\"/>", 2 * (X(shadow.step) - X(0)), d);
+        d += fmt::format("M{:.1f},{:.1f}V{:.1f}", axes.x(shadow.x[i]), axes.y(shadow.low[i]), axes.y(shadow.high[i]));
+    return fmt::format("<path class=\"shadow\" stroke-width=\"{:.2f}\" d=\"{}\"/>",
+                       2 * (axes.x(shadow.step) - axes.x(0)), d);
+}
+
+/// Entries from left to right below the title, in as many rows as they need.
+struct Legend {
+    std::string content;
+    int rows = 0;
+};
+Legend legend_of(const std::vector<PlotLine>& lines, int left, double room) {
+    Legend legend;
+    double x = 0;
+    for (const PlotLine& l : lines) {
+        if (l.name.empty()) continue;
+        const double entry = 34 + 7.2 * static_cast<double>(l.name.size());
+        if (legend.rows == 0 || x + entry > room) {
+            ++legend.rows;
+            x = 0;
+        }
+        const double y = 20 + 16.0 * legend.rows;
+        legend.content += fmt::format(
+            "<line class=\"line s{}{}\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.0f}\" y2=\"{:.0f}\"/><text x=\"{:.0f}\" "
+            "y=\"{:.0f}\">{}</text>",
+            l.source, l.dashed ? " dashed" : "", left + x, left + x + 22, y - 4, y - 4, left + x + 27, y,
+            escaped(l.name));
+        x += entry;
+    }
+    return legend;
+}
+
+std::string images_drawn(const Plot& p, const Axes& axes) {
+    std::string out;
+    for (const PlotImage& i : p.images)
+        out += fmt::format(
+            "<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+            "preserveAspectRatio=\"none\"/>",
+            i.png_base64, axes.x(i.x_min), axes.y(i.y_max), axes.x(i.x_max) - axes.x(i.x_min),
+            axes.y(i.y_min) - axes.y(i.y_max));
+    return out;
+}
+
+std::string grid_drawn(const std::vector<double>& x_ticks, const std::vector<double>& y_ticks, const Axes& axes) {
+    std::string out;
+    for (const double v : x_ticks)
+        out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", axes.x(v),
+                           axes.top, axes.top + axes.height);
+    for (const double v : y_ticks)
+        out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", axes.y(v),
+                           axes.left, axes.left + axes.width);
+    return out;
+}
+
+std::string boxes_drawn(const Plot& p, const Axes& axes) {
+    std::string out;
+    for (const PlotBox& box : p.boxes)
+        out += fmt::format("<path class=\"box s{0} f{0}{1}\" d=\"{2}\"/>", box.source, box.dashed ? " dashed" : "",
+                           outline(box, axes));
+    return out;
+}
+
+std::string labels_drawn(const Plot& p, const Axes& axes) {
+    std::string out;
+    const auto places = label_places(
+        areas_of(p.boxes, axes), {axes.left + 2, axes.top + 2, axes.left + axes.width - 2, axes.top + axes.height - 2});
+    for (std::size_t i = 0; i < p.boxes.size(); ++i)
+        if (places[i])
+            out += fmt::format("<text class=\"box-text f{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", p.boxes[i].source,
+                               places[i]->left, places[i]->bottom - 3, escaped(p.boxes[i].label));
+    return out;
+}
+
+std::string bands_drawn(const Plot& p, const Axes& axes) {
+    std::string out;
+    for (const PlotBand& b : p.bands) {
+        const double h = std::max(1.0, axes.y(b.value - b.half_width) - axes.y(b.value + b.half_width));
+        out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
+                           b.source, axes.x(b.from), axes.y(b.value) - 0.5 * h,
+                           std::max(1.0, axes.x(b.to) - axes.x(b.from)), h);
+        out += fmt::format("<line class=\"mean s{0}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{3:.1f}\" y2=\"{3:.1f}\"/>",
+                           b.source, axes.x(b.from), axes.x(b.to), axes.y(b.value));
+    }
+    return out;
+}
+
+std::string lines_drawn(const Plot& p, const Axes& axes) {
+    std::string out;
+    for (const PlotLine& l : p.lines)
+        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "",
+                           l.dashed ? " dashed" : "", path(l, axes));
+    for (const PlotLine& l : p.lines)
+        for (std::size_t i = 0; l.points && i < std::min(l.x.size(), l.y.size()); ++i)
+            if (std::isfinite(l.x[i]) && std::isfinite(l.y[i]))
+                out += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>", l.source,
+                                   axes.x(l.x[i]), axes.y(l.y[i]));
+    for (const PlotLine& l : p.outlines) out += fmt::format("<path class=\"outline\" d=\"{}\"/>", path(l, axes));
+    return out;
+}
+
+std::string levels_drawn(const Plot& p, const Axes& axes) {
+    std::string out;
+    const double right = axes.left + axes.width;
+    for (const PlotLevel& l : p.levels)
+        out += fmt::format(
+            "<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text end\" "
+            "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
+            axes.left, right, axes.y(l.value), axes.y(l.value), right - 6, axes.y(l.value) - 4, escaped(l.name));
+    return out;
+}
+
+/// Where plots.js puts its axes.
+std::string frame_drawn(const Plot& p, const Axes& axes) {
+    return fmt::format(
+        "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" data-axes=\"{:.9g} {:.9g} {:.9g} "
+        "{:.9g}\" data-log=\"{}{}\" data-x=\"{}\" data-y=\"{}\"/>",
+        axes.left, axes.top, axes.width, axes.height, axes.xr.low, axes.xr.high, axes.yr.low, axes.yr.high,
+        p.log_x ? "x" : "", p.log_y ? "y" : "", escaped(label_text(p.x_label)), escaped(label_text(p.y_label)));
+}
+
+std::string tick_numbers(const Plot& p, const std::vector<double>& x_ticks, const std::vector<double>& y_ticks,
+                         const Axes& axes) {
+    std::string out;
+    const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
+    for (const double v : x_ticks)
+        out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", axes.x(v),
+                           axes.top + axes.height + 15, axis_text(v, step(x_ticks), p.log_x));
+    for (const double v : y_ticks)
+        out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", axes.left - 6, axes.y(v) + 4,
+                           axis_text(v, step(y_ticks), p.log_y));
+    return out;
+}
+
+std::string axis_labels(const Plot& p, const Axes& axes) {
+    std::string out;
+    if (!p.x_label.empty())
+        out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", axes.left + 0.5 * axes.width,
+                           axes.top + axes.height + 34, escaped(label_text(p.x_label)));
+    if (!p.y_label.empty())
+        out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
+                           axes.top + 0.5 * axes.height, escaped(label_text(p.y_label)));
+    return out;
 }
 
 /// A plot between its <svg> and </svg>; without an area where it has no data.
@@ -148,111 +300,31 @@ Drawing draw(const Plot& plot) {
     if (std::ranges::any_of(p.lines, &PlotLine::points)) xr.widen(0.04);
 
     const int left = p.y_label.empty() ? 46 : 66, right = 14, bottom = p.x_label.empty() ? 22 : 44;
-    int legend_rows = 0;
-    double legend_x = 0;
-    std::string legend;
-    const double plot_width = p.width - left - right;
-    for (const PlotLine& l : p.lines) {
-        if (l.name.empty()) continue;
-        const double entry = 34 + 7.2 * static_cast<double>(l.name.size());
-        if (legend_rows == 0 || legend_x + entry > plot_width) {
-            ++legend_rows;
-            legend_x = 0;
-        }
-        const double y = 20 + 16.0 * legend_rows;
-        legend += fmt::format(
-            "<line class=\"line s{}{}\" x1=\"{:.0f}\" x2=\"{:.0f}\" y1=\"{:.0f}\" y2=\"{:.0f}\"/><text x=\"{:.0f}\" "
-            "y=\"{:.0f}\">{}</text>",
-            l.source, l.dashed ? " dashed" : "", left + legend_x, left + legend_x + 22, y - 4, y - 4,
-            left + legend_x + 27, y, escaped(l.name));
-        legend_x += entry;
-    }
-    const int top = 26 + 16 * legend_rows;
+    const double width = p.width - left - right;
+    const Legend legend = legend_of(p.lines, left, width);
+    const int top = 26 + 16 * legend.rows;
     const int height =
         p.equal_scales
-            ? top + bottom + static_cast<int>(plot_width * std::min((yr.high - yr.low) / (xr.high - xr.low), 10.0))
+            ? top + bottom + static_cast<int>(width * std::min((yr.high - yr.low) / (xr.high - xr.low), 10.0))
             : p.height;
-    const double plot_height = height - top - bottom;
-    // Far outside, where nothing is seen, places stay numbers that can be written.
-    const auto at = [](double pixel) { return std::clamp(pixel, -1e6, 1e6); };
-    const auto X = [&](double v) { return at(left + plot_width * (v - xr.low) / (xr.high - xr.low)); };
-    const auto Y = [&](double v) { return at(top + plot_height * (yr.high - v) / (yr.high - yr.low)); };
+    const Axes axes{
+        xr, yr, static_cast<double>(left), static_cast<double>(top), width, static_cast<double>(height - top - bottom)};
+    const std::vector<double> x_ticks = tick_places(xr.low, xr.high, std::max(2, static_cast<int>(axes.width / 65)),
+                                                    p.log_x, axes.width),
+                              y_ticks = tick_places(yr.low, yr.high, std::max(2, static_cast<int>(axes.height / 45)),
+                                                    p.log_y, HUGE_VAL);
 
     std::string out =
-        fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend);
-
+        fmt::format("<text class=\"plot-title\" x=\"{}\" y=\"16\">{}</text>{}", left, escaped(p.title), legend.content);
     // A nested <svg> clips what reaches beyond the axes and needs no id, which would have to be unique in the page.
-    out += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"{} {} {:.0f} {:.0f}\">",
-                       left, top, plot_width, plot_height, left, top, plot_width, plot_height);
-    for (const PlotImage& i : p.images)
-        out += fmt::format(
-            "<image href=\"data:image/png;base64,{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-            "preserveAspectRatio=\"none\"/>",
-            i.png_base64, X(i.x_min), Y(i.y_max), X(i.x_max) - X(i.x_min), Y(i.y_min) - Y(i.y_max));
-    const auto x_ticks =
-                   tick_places(xr.low, xr.high, std::max(2, static_cast<int>(plot_width / 65)), p.log_x, plot_width),
-               y_ticks =
-                   tick_places(yr.low, yr.high, std::max(2, static_cast<int>(plot_height / 45)), p.log_y, HUGE_VAL);
-    if (p.images.empty()) {
-        for (const double v : x_ticks)
-            out += fmt::format("<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2:.1f}\"/>", X(v),
-                               top, top + plot_height);
-        for (const double v : y_ticks)
-            out += fmt::format("<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1}\" x2=\"{2:.1f}\"/>", Y(v),
-                               left, left + plot_width);
-    }
-    out += shadow_path(p.shadow, X, Y);
-    const std::vector<LabelBox> areas = areas_of(p.boxes, X, Y);
-    for (const PlotBox& box : p.boxes)
-        out += fmt::format("<path class=\"box s{0} f{0}{1}\" d=\"{2}\"/>", box.source, box.dashed ? " dashed" : "",
-                           outline(box, X, Y));
-    for (const PlotBand& b : p.bands) {
-        const double h = std::max(1.0, Y(b.value - b.half_width) - Y(b.value + b.half_width));
-        out += fmt::format("<rect class=\"band f{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
-                           b.source, X(b.from), Y(b.value) - 0.5 * h, std::max(1.0, X(b.to) - X(b.from)), h);
-        out += fmt::format("<line class=\"mean s{0}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{3:.1f}\" y2=\"{3:.1f}\"/>",
-                           b.source, X(b.from), X(b.to), Y(b.value));
-    }
-    for (const PlotLine& l : p.lines)
-        out += fmt::format("<path class=\"line s{}{}{}\" d=\"{}\"/>", l.source, l.faint ? " faint" : "",
-                           l.dashed ? " dashed" : "", path(l, X, Y));
-    for (const PlotLine& l : p.lines)
-        for (std::size_t i = 0; l.points && i < std::min(l.x.size(), l.y.size()); ++i)
-            if (std::isfinite(l.x[i]) && std::isfinite(l.y[i]))
-                out += fmt::format("<circle class=\"f{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>", l.source, X(l.x[i]),
-                                   Y(l.y[i]));
-    for (const PlotLine& l : p.outlines) out += fmt::format("<path class=\"outline\" d=\"{}\"/>", path(l, X, Y));
-    for (const PlotLevel& l : p.levels)
-        out += fmt::format(
-            "<line class=\"level\" x1=\"{}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/><text class=\"level-text end\" "
-            "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
-            left, left + plot_width, Y(l.value), Y(l.value), left + plot_width - 6, Y(l.value) - 4, escaped(l.name));
-    const auto places = label_places(areas, {left + 2.0, top + 2.0, left + plot_width - 2, top + plot_height - 2});
-    for (std::size_t i = 0; i < p.boxes.size(); ++i)
-        if (places[i])
-            out += fmt::format("<text class=\"box-text f{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", p.boxes[i].source,
-                               places[i]->left, places[i]->bottom - 3, escaped(p.boxes[i].label));
-    out += "</svg>";
-
-    // Where plots.js puts its axes.
     out += fmt::format(
-        "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" data-axes=\"{:.9g} {:.9g} {:.9g} "
-        "{:.9g}\" data-log=\"{}{}\" data-x=\"{}\" data-y=\"{}\"/>",
-        left, top, plot_width, plot_height, xr.low, xr.high, yr.low, yr.high, p.log_x ? "x" : "", p.log_y ? "y" : "",
-        escaped(label_text(p.x_label)), escaped(label_text(p.y_label)));
-    const auto step = [](const std::vector<double>& t) { return t.size() > 1 ? t[1] - t[0] : 1.0; };
-    for (const double v : x_ticks)
-        out += fmt::format("<text class=\"tick mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", X(v), top + plot_height + 15,
-                           axis_text(v, step(x_ticks), p.log_x));
-    for (const double v : y_ticks)
-        out += fmt::format("<text class=\"tick end\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 6, Y(v) + 4,
-                           axis_text(v, step(y_ticks), p.log_y));
-    if (!p.x_label.empty())
-        out += fmt::format("<text class=\"mid\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", left + 0.5 * plot_width,
-                           top + plot_height + 34, escaped(label_text(p.x_label)));
-    if (!p.y_label.empty())
-        out += fmt::format("<text class=\"mid\" transform=\"translate(14 {:.1f}) rotate(-90)\">{}</text>",
-                           top + 0.5 * plot_height, escaped(label_text(p.y_label)));
+        "<svg x=\"{0}\" y=\"{1}\" width=\"{2:.0f}\" height=\"{3:.0f}\" viewBox=\"{0} {1} {2:.0f} {3:.0f}\">", left, top,
+        axes.width, axes.height);
+    out += images_drawn(p, axes);
+    if (p.images.empty()) out += grid_drawn(x_ticks, y_ticks, axes);
+    out += shadow_path(p.shadow, axes) + boxes_drawn(p, axes) + bands_drawn(p, axes) + lines_drawn(p, axes);
+    out += levels_drawn(p, axes) + labels_drawn(p, axes) + "</svg>";
+    out += frame_drawn(p, axes) + tick_numbers(p, x_ticks, y_ticks, axes) + axis_labels(p, axes);
     return {out, p.width, height};
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
+#include "compare/metrics/box_walls.h"
 #include "compare/report/first_screen.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
@@ -104,13 +105,13 @@ std::vector<Doubt> missed_references(const Comparison& c) {
 
 std::vector<Doubt> doubts_of(const Comparison& c) {
     std::vector<Doubt> doubts = missed_references(c);
-    for (const Gate& g : failed_gates(c.gates)) {
+    for (const ValidityCheck& g : failed_checks(c.checks)) {
         const std::string unit = g.unit == "-" || g.unit.empty() ? "" : " " + unit_text(g.unit);
         doubts.push_back(
             {!g.warns, fmt::format("{}: {} {}{}, limit {}{}{}", method_label(g.source), g.name, number_text(g.value),
                                    unit, number_text(g.limit), unit, g.remark.empty() ? "" : "; " + g.remark)});
     }
-    for (const std::string& banner : c.banners) doubts.push_back({false, banner});
+    for (const std::string& banner : all_banners(c)) doubts.push_back({false, banner});
     return doubts;
 }
 

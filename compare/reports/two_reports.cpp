@@ -139,8 +139,8 @@ ReportTable headline_table(const TwoReports& t) {
                                            : ReportCell("within the interval")}});
     }
     table.notes.push_back(
-        "Interval of a difference: root of the squares of both. What is wrong with both values alike, as the "
-        "discretisation error of two runs of one size, is in it and not in the difference.");
+        "Interval of a difference: root of the squares of both. An error that both values share, such as the "
+        "discretisation error of two runs of one size, widens this interval but cancels in the difference.");
     return table;
 }
 

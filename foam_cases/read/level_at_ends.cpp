@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/box/forcing_zones.h"
+#include "statistics/whole_periods.h"
 
 namespace tw {
 
@@ -34,8 +35,8 @@ void LevelAtEnds::keep(RunRecord& record) const {
     double sum = 0, from = scene_.sampling.mean_from;
     int count = 0;
     if (scene_.wave) {  // of whole periods, since mean_from
-        const double end = samples.time.back(), period = scene_.wave->encounter_period(),
-                     whole = std::floor((end - from) / period + 1e-6);
+        const double end = samples.time.back(), period = scene_.wave->encounter_period();
+        const int whole = whole_periods(from, end, period);
         if (whole >= 1) from = end - (whole - 1e-6) * period;
     }
     for (std::size_t i = 0; i < level.size(); ++i)

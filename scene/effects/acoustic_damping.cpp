@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "methods/names.h"
 #include "scene/effects/part.h"
 
 namespace tw::effect_parts {
@@ -25,7 +26,7 @@ EffectPart acoustic_damping() {
             .meaning = "Damping of sound waves in the particle method by a bulk viscosity.",
             .solved = EffectPart::Solved::by_particles_only,
             .plan = plan_acoustic_damping,
-            .keys = {{.section = "sph",
+            .keys = {{.section = sph_method,
                       .name = "acoustic_damping",
                       .range = {0, 2, true},
                       .hashed = SceneKey::Hashed::run,

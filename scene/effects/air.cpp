@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "methods/names.h"
 #include "scene/effects/part.h"
 #include "scene/water/water_blocks.h"
 
@@ -53,7 +54,7 @@ EffectPart air() {
             .solved = EffectPart::Solved::by_particles_only,
             .plan = plan_air,
             .obstacle = obstacle_of_air,
-            .keys = {{.section = "sph",
+            .keys = {{.section = sph_method,
                       .name = "air_c0",
                       .unit = "m/s",
                       .range = {0, 1e5, true},

@@ -41,4 +41,11 @@ std::vector<EffectChoice> plan_effects(Scene& scene, Section& section,
     return choices;
 }
 
+bool Scene::effect_on(const std::string& name) const {
+    const std::string& known = effect_part(name).name;
+    for (const EffectChoice& e : effects)
+        if (e.name == known) return e.on;
+    return false;
+}
+
 }  // namespace tw

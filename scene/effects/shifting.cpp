@@ -1,3 +1,4 @@
+#include "methods/names.h"
 #include "scene/effects/part.h"
 
 namespace tw::effect_parts {
@@ -27,7 +28,7 @@ EffectPart shifting() {
             .solved = EffectPart::Solved::by_particles_only,
             .plan = plan_shifting,
             .settle = settle_shifting,
-            .keys = {{.section = "sph",
+            .keys = {{.section = sph_method,
                       .name = "shifting",
                       .range = {0, 3},
                       .hashed = SceneKey::Hashed::run,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "methods/names.h"
 #include "scene/effects/part.h"
 
 namespace tw::effect_parts {
@@ -25,7 +26,7 @@ EffectPart turbulence() {
             .meaning = "A turbulence closure: Smagorinsky among the particles, k-omega SST on the mesh.",
             .needs = "viscosity",
             .plan = plan_turbulence,
-            .keys = {{.section = "sph",
+            .keys = {{.section = sph_method,
                       .name = "smagorinsky",
                       .range = {0, 1},
                       .hashed = SceneKey::Hashed::run,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "methods/names.h"
 #include "scene/effects/registry.h"
 #include "scene/keys/key_rows.h"
 
@@ -50,8 +51,8 @@ std::vector<SceneKey> all_keys() {
         {"ply", ply_keys()},
         {"gauge", gauge_keys()},
         {"effects", effect_keys()},
-        {"sph", sph_keys()},
-        {"fvm", fvm_keys()}};
+        {sph_method, sph_keys()},
+        {fvm_method, fvm_keys()}};
     std::vector<SceneKey> keys;
     for (const auto& [section, rows] : sections) {
         for (SceneKey key : rows) {
@@ -113,8 +114,8 @@ const std::vector<SectionRow>& scene_sections() {
          "`body.rod.density`, or its place: `body.1.density`; an entry of a list has its place behind it: "
          "`tank.size.3`. Studies run the coarsest size with either end of it, see "
          "[theory](theory.md#uncertain-input). In no hash."},
-        {"sph", false, "Numerics of the particle method."},
-        {"fvm", false, "Numerics of the mesh method (interFoam)."},
+        {sph_method, false, "Numerics of the particle method."},
+        {fvm_method, false, "Numerics of the mesh method (interFoam)."},
     };
     return sections;
 }

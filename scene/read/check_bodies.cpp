@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/gap.h"
 #include "meshes/query.h"
+#include "methods/names.h"
 #include "scene/mesh/mesh_motion.h"
 #include "scene/read/check_scene.h"
 #include "scene/solids/walls_met.h"
@@ -123,8 +124,8 @@ void check_elastic(const Scene& scene, Sections& s) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         if (!scene.bodies[b].elastic) continue;
         if (scene.sph.scheme != "kick_drift_kick")
-            s.numerics.at("sph").fail("scheme",
-                                      "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
+            s.numerics.at(sph_method)
+                .fail("scheme", "elastic bodies are advanced with the water; expected \"kick_drift_kick\"");
         if (scene.effect_on("no_slip"))
             s.effects.fail("no_slip", "friction does not act on elastic bodies; expected \"off\"");
     }
@@ -138,7 +139,7 @@ void check_free_hull(Scene& scene, Sections& s) {
         s.hull.fail("free",
                     "a hull is free in a stream only; in a tank write it as a [[body]], or expected kind = "
                     "\"stream\"");
-    check_scheme(scene, s.numerics.at("sph"));
+    check_scheme(scene, s.numerics.at(sph_method));
     if (free.motion.release >= scene.run.duration)
         s.hull.fail("release", fmt::format("the hull would be held to the end of the run, {:.4g} s; expected a time "
                                            "before it, or a longer [run] duration",
@@ -157,7 +158,7 @@ void check_free_hull(Scene& scene, Sections& s) {
 void check_bodies(Scene& scene, Sections& s) {
     if (scene.bodies.empty()) return;
     if (!std::ranges::all_of(scene.bodies, [](const MovingBody& b) { return b.motion.law && !b.elastic; }))
-        check_scheme(scene, s.numerics.at("sph"));
+        check_scheme(scene, s.numerics.at(sph_method));
     const double gap = scene.resolution.near_hull / 2;
     std::vector<Box> boxes, of_obstacles;
     for (const MovingBody& b : scene.bodies) boxes.push_back(b.surface.bounds());

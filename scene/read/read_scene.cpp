@@ -5,13 +5,14 @@
 
 #include "base/errors.h"
 #include "base/read_file.h"
+#include "methods/names.h"
 #include "scene/defaults.h"
 #include "scene/effects/plan.h"
-#include "scene/effects/registry.h"
 #include "scene/hash.h"
 #include "scene/particles/particle_levels.h"
 #include "scene/read/check_scene.h"
 #include "scene/read/domain.h"
+#include "scene/read/overrides.h"
 #include "scene/read/read.h"
 #include "scene/read/uncertain.h"
 #include "scene/solids/attitude.h"
@@ -23,70 +24,6 @@
 
 namespace tw {
 namespace {
-
-/// Puts a command line option into the document as if it stood in the file; its messages name the option.
-void override_key(TextValue& document, const std::string& section, const std::string& key, const std::string& option,
-                  TextValue value) {
-    TextValue* table = document.find(section);
-    if (!table) {
-        TextValue empty;
-        empty.kind = TextValue::Kind::table;
-        document.members.push_back({section, empty});
-        table = &document.members.back().second;
-    }
-    value.option = option;
-    std::erase_if(table->members, [&](const auto& m) { return m.first == key; });
-    table->members.push_back({key, std::move(value)});
-}
-
-TextValue number_value(double number) {
-    TextValue v;
-    v.kind = TextValue::Kind::number;
-    v.number = number;
-    v.text = fmt::format("{:.10g}", number);
-    return v;
-}
-
-TextValue text_value(const std::string& text) {
-    TextValue v;
-    v.kind = TextValue::Kind::text;
-    v.text = text;
-    return v;
-}
-
-void apply(const SceneOverrides& o, TextValue& document) {
-    if (o.hull_file) {
-        // Only what says how the hull stands in the water outlives a swap; a shape's own parameters would be unknown
-        // keys.
-        if (TextValue* hull = document.find("hull"))
-            std::erase_if(hull->members, [](const auto& m) {
-                static const std::set<std::string> kept{"trim",   "heel", "draft",          "position", "half",
-                                                        "repair", "unit", "axes",           "free",     "mass",
-                                                        "lcg",    "vcg",  "pitch_gyradius", "release"};
-                return !kept.contains(m.first);
-            });
-        override_key(document, "hull", "file", "--hull", text_value(o.hull_file->string()));
-    }
-    if (o.speed) override_key(document, "motion", "speed", "--speed", number_value(*o.speed));
-    if (o.spacing) override_key(document, "resolution", "spacing", "--spacing", number_value(*o.spacing));
-    if (o.near_hull) override_key(document, "resolution", "near_hull", "--near-hull", number_value(*o.near_hull));
-    if (o.duration) {  // all of it: who asks for a time wants to see it
-        override_key(document, "run", "duration", "--duration", number_value(*o.duration));
-        override_key(document, "run", "stop", "--duration", text_value("duration"));
-    }
-    if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
-    for (const auto& [name, on] : o.effects)
-        override_key(document, "effects", name, "--effect " + name, text_value(on ? "on" : "off"));
-}
-
-/// duration = "auto" is what holds without the key.
-void forget_auto_duration(TextValue& document) {
-    TextValue* run = document.find("run");
-    if (!run || run->kind != TextValue::Kind::table) return;
-    std::erase_if(run->members, [](const auto& m) {
-        return m.first == "duration" && m.second.kind == TextValue::Kind::text && m.second.text == "auto";
-    });
-}
 
 void note_places(const Sections& s, Scene& scene) {
     const auto note = [&](const SceneSection& section) {
@@ -107,46 +44,6 @@ void refuse_same_names(const List& items, std::vector<SceneSection>& sections) {
         if (!taken.insert(items[i].name).second)
             sections[i].fail("name", fmt::format("'{}' is taken already; give every one its own name", items[i].name));
 }
-
-}  // namespace
-
-Sections split_sections(const std::filesystem::path& file, const TextValue& document) {
-    SceneSection root(file, "", &document);
-    const auto one = [&](const std::string& name) { return SceneSection(root.section(name)); };
-    const auto many = [&](const std::string& name) {
-        std::vector<SceneSection> all;
-        for (Section& section : root.sections(name)) all.emplace_back(std::move(section));
-        return all;
-    };
-    Sections s{root,
-               one("hull"),
-               one("water"),
-               one("motion"),
-               one("wave"),
-               one("resolution"),
-               one("domain"),
-               one("run"),
-               one("sampling"),
-               one("tank"),
-               one("effects"),
-               {},
-               many("obstacle"),
-               many("body"),
-               many("probe"),
-               many("water_block"),
-               many("refine"),
-               many("ply"),
-               many("gauge"),
-               many("measured")};
-    for (const std::string& method : method_names()) s.numerics.emplace(method, one(method));
-    s.root = root;
-    s.root.know("title");
-    s.root.know("uncertain");
-    s.root.finish();
-    return s;
-}
-
-namespace {
 
 /// A scene between its text and its defaults: what the sections say that is still to be worked out.
 struct Reading {
@@ -266,7 +163,7 @@ void settle_domain(Reading& r) {
         scene.domain = of();
     };
     const bool unasked = is_refined_unasked(scene) && !s.wave.present();
-    if ((r.resolution.spacing || unasked) && !scene.tank_motion && !s.numerics.at("sph").has("levels") &&
+    if ((r.resolution.spacing || unasked) && !scene.tank_motion && !s.numerics.at(sph_method).has("levels") &&
         !s.effects.on_off("air").value_or(false))
         follow_spacing(scene, make_domain);
     else
@@ -366,27 +263,13 @@ void settle_effects(Reading& r) {
     scene.sph.c0 *= r.overrides.sound_speed_factor;
     check_elastic(scene, s);
     warn_of_slow_bodies(scene);
-    check_gate(scene, s.numerics.at("sph"));
+    check_gate(scene, s.numerics.at(sph_method));
     check_tank_motion(scene, s);
     check_tailwater(scene);
     if (const auto shedding = check_vortex_shedding(scene)) scene.hull->findings.push_back(*shedding);
 }
 
 }  // namespace
-
-std::vector<UncertainNumber> uncertain_numbers(const std::filesystem::path& scene, const SceneOverrides& overrides,
-                                               const UncertainTable* more) {
-    TextValue document = parse_document(read_text_within(scene, largest_document), scene);
-    apply(overrides, document);
-    std::vector<UncertainNumber> numbers;
-    if (const TextValue* own = document.find("uncertain")) numbers = uncertain_numbers_of({scene, *own}, document);
-    if (!more) return numbers;
-    for (UncertainNumber& number : uncertain_numbers_of(*more, document)) {
-        std::erase_if(numbers, [&](const UncertainNumber& own) { return own.name == number.name; });
-        numbers.push_back(std::move(number));
-    }
-    return numbers;
-}
 
 Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
     return read_scene(file, overrides, {});
@@ -396,7 +279,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     std::string text = read_text_within(file, largest_document);
     TextValue document = parse_document(text, file);
     forget_auto_duration(document);
-    apply(overrides, document);
+    apply_overrides(overrides, document);
     if (const TextValue* uncertain = document.find("uncertain")) {
         if (uncertain->kind != TextValue::Kind::table)
             throw InputError(fmt::format("{}:{}:{}: uncertain: expected a section [uncertain]", file.string(),
@@ -419,20 +302,6 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     if (overrides.wave_twin) make_wave_twin(r.scene);
     r.scene.hash = scene_hash(r.scene);
     return std::move(r.scene);
-}
-
-std::string Scene::place_of(const std::string& key) const {
-    const auto found = places.find(key);
-    if (found != places.end()) return found->second;
-    const std::size_t dot = key.find('.');
-    return fmt::format("{}: [{}] {}", file.string(), key.substr(0, dot), key.substr(dot + 1));
-}
-
-bool Scene::effect_on(const std::string& name) const {
-    const std::string& known = effect_part(name).name;
-    for (const EffectChoice& e : effects)
-        if (e.name == known) return e.on;
-    return false;
 }
 
 }  // namespace tw

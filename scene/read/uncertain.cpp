@@ -9,9 +9,11 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/read_file.h"
 #include "meshes/generate.h"
 #include "methods/methods.h"
 #include "scene/keys/keys.h"
+#include "scene/read/overrides.h"
 #include "text/did_you_mean.h"
 #include "text/units.h"
 
@@ -255,6 +257,20 @@ std::vector<UncertainNumber> uncertain_numbers_of(const UncertainTable& of, cons
             const bool plain = written->kind == TextValue::Kind::number && found.unit != "-";
             numbers.push_back({name, value, width, written->text + (plain ? " " + found.unit : "")});
         } catch (const UnitError& e) { fail(e.what()); }
+    }
+    return numbers;
+}
+
+std::vector<UncertainNumber> uncertain_numbers(const std::filesystem::path& scene, const SceneOverrides& overrides,
+                                               const UncertainTable* more) {
+    TextValue document = parse_document(read_text_within(scene, largest_document), scene);
+    apply_overrides(overrides, document);
+    std::vector<UncertainNumber> numbers;
+    if (const TextValue* own = document.find("uncertain")) numbers = uncertain_numbers_of({scene, *own}, document);
+    if (!more) return numbers;
+    for (UncertainNumber& number : uncertain_numbers_of(*more, document)) {
+        std::erase_if(numbers, [&](const UncertainNumber& own) { return own.name == number.name; });
+        numbers.push_back(std::move(number));
     }
     return numbers;
 }

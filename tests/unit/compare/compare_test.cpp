@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "compare/compare.h"
+#include "compare/metrics/box_walls.h"
 #include "compare/report/report_files.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
@@ -223,7 +224,7 @@ TEST(Compare, RunsThatDidNotFinishCarryABannerAndAGate) {
     const Comparison c = compare_records({synthetic_run(sph), stopped});
     bool banner = false, gate = false;
     for (const auto& b : c.banners) banner = banner || b.find("asked to stop") != std::string::npos;
-    for (const Gate& g : c.gates) gate = gate || (g.source == "fvm" && g.name == "finished" && !g.pass);
+    for (const ValidityCheck& g : c.checks) gate = gate || (g.source == "fvm" && g.name == "finished" && !g.pass);
     EXPECT_TRUE(banner);
     EXPECT_TRUE(gate);
 }
@@ -337,7 +338,7 @@ TEST(Compare, WhatTheWallsOfTheBoxDoStandsOnTop) {
     const std::string walls =
         "the walls of the box (1.5 m to the side, 1.2 m deep) are expected to raise the lift by 12 %";
     const auto said = [&](const RunRecord& record) {
-        return std::ranges::any_of(compare_records({record}).banners,
+        return std::ranges::any_of(all_banners(compare_records({record})),
                                    [&](const std::string& b) { return b.find(walls) != std::string::npos; });
     };
     EXPECT_FALSE(said(r));

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 #include "compare/report/comparison_tables.h"
 #include "compare/report/svg_plot.h"
 #include "meshes/generate.h"
@@ -131,7 +131,7 @@ TEST(ChecksTable, TellsAWarningFromWhatIsNotMet) {
     RunRecord r;
     note_worst(r, {mass_drift_line, "%", 1.4, 0.5, 0.2});
     note_worst(r, {"particles lost", "-", 3, 0, 0.2});
-    const ReportTable table = checks_table(check_gates(r, "sph"), true);
+    const ReportTable table = checks_table(checks_of(r, "sph"), true);
     const auto badge_of = [&](const std::string& line) {
         for (const ReportRow& row : table.rows)
             if (row.cells[0].text == line) return row.cells[5].text;

@@ -5,6 +5,7 @@
 
 #include "compare/ladder/judge_by_sizes.h"
 #include "compare/ladder/ladder_report.h"
+#include "compare/metrics/box_walls.h"
 #include "compare/report/report_files.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
@@ -198,7 +199,7 @@ TEST(Sizes, WhatAWiderBoxMeasuresIsSaidInPlaceOfWhatWasExpected) {
         return c;
     };
     const auto count = [](const Comparison& c, const std::string& part) {
-        return std::ranges::count_if(c.banners, [&](const std::string& b) { return has(b, part); });
+        return std::ranges::count_if(all_banners(c), [&](const std::string& b) { return has(b, part); });
     };
     const Comparison both = judged(expected, 0.05);
     EXPECT_EQ(count(both, "expected to raise"), 0);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/numbers.h"
+#include "methods/methods.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
 #include "scene_text.h"
@@ -94,6 +95,13 @@ TEST(NewRecord, HoldsTheBodiesThatKeepTheirShape) {
     scene.bodies[0].elastic = ElasticPlate{};
     EXPECT_TRUE(new_record(scene, "sph").bodies.empty());
     EXPECT_EQ(new_record(scene, "fvm").bodies.size(), 1u) << "interFoam's counterpart is rigid";
+}
+
+/// A further method says where its solution is finer as well, or new_record throws here.
+TEST(NewRecord, EveryMethodSaysWhereItsSolutionIsFiner) {
+    const Scene scene = test::scene_of(test::planing + "[sph]\nlevels = 2\n");
+    for (const Method& m : methods()) EXPECT_GT(new_record(scene, m.name).resolution.size(), 1u) << m.name;
+    EXPECT_TRUE(new_record(scene, "measured").resolution.empty()) << "nobody knows";
 }
 
 // A scene's boxes may go on through the sky or lie half outside: what is recorded can be drawn.

@@ -7,7 +7,7 @@
 #include "scene/box/tank_wave.h"
 #include "scene/hash.h"
 #include "scene/new_record.h"
-#include "scene/wave_text.h"
+#include "scene/summary/wave_text.h"
 #include "scene_text.h"
 
 namespace tw::test {

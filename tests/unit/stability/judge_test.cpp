@@ -58,7 +58,7 @@ TEST(StabilityJudgement, WhatTheEngineSaidIsTheReason) {
 }
 
 TEST(StabilityJudgement, NotANumberAndNothingAtAllDoNotPass) {
-    for (const StabilityGate& gate : stability_gates())
+    for (const StabilityLimit& gate : stability_limits())
         EXPECT_EQ(judge_stability({}, run_with({{gate.line, gate.unit, std::nan("")}})).stability, Stability::failed)
             << gate.line;
     EXPECT_EQ(judge_stability({}, {}).stability, Stability::failed);

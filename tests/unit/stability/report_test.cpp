@@ -64,7 +64,7 @@ TEST(StabilityReport, ProgramsGetEveryCellWithItsCertificate) {
     EXPECT_EQ(cells[0]["stability"], "stable");
     EXPECT_EQ(cells[0]["certificate"][0]["value"], 0.1);
     EXPECT_EQ(cells[1]["speed"], 80);
-    EXPECT_EQ(json["gates"].size(), stability_gates().size());
+    EXPECT_EQ(json["gates"].size(), stability_limits().size());
 }
 
 TEST(StabilityMaps, HoldTheWholeRangeAndEachCellIsACase) {

@@ -10,6 +10,7 @@
 #include "statistics/flow_through.h"
 #include "statistics/settled_loads.h"
 #include "statistics/settled_mean.h"
+#include "statistics/whole_periods.h"
 
 namespace tw {
 namespace settled_loads_test {
@@ -174,6 +175,13 @@ TEST(SettledLoads, IntervalsOfEndedRunsHoldTheTruthInNinetyOfAHundredAtLeast) {
     }
     EXPECT_GE(ends, 40);
     EXPECT_GE(holds, 0.9 * ends);
+}
+
+/// Times are sums of steps: a period that lacks less than a millionth of itself is whole, one that lacks more is not.
+TEST(WholePeriods, AreCountedDespiteTheRoundingOfTimes) {
+    EXPECT_EQ(whole_periods(1.5, 1.5 + 3 * 0.7 - 1e-9, 0.7), 3);
+    EXPECT_EQ(whole_periods(1.5, 1.5 + 3 * 0.7 - 1e-5, 0.7), 2);
+    EXPECT_EQ(whole_periods(1.5, 1.2, 0.7), 0) << "the end lies before the beginning";
 }
 
 }  // namespace settled_loads_test

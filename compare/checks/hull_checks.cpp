@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 #include "compare/reference/planing.h"
 #include "meshes/shedding_edges.h"
 #include "record/force_names.h"
@@ -140,7 +140,7 @@ std::optional<NumericalDrag> numerical_drag(const RunRecord& record) {
 
 }  // namespace
 
-void add_hull_gates(GateList& list) {
+void add_hull_checks(CheckList& list) {
     const RunRecord& record = list.record;
     const double speed = number_of(record, "speed", 0);
     if (const auto air = time_mean(record, "samples", "ventilation"))

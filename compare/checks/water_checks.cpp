@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 #include "compare/metrics/raster_columns.h"
 #include "record/raster_grid.h"
 #include "record/record_numbers.h"
@@ -210,7 +210,7 @@ std::optional<Departure> level_at_inlet(const RunRecord& record) {
     return Departure{sum / static_cast<double>(count), end};
 }
 
-void add_water_gates(GateList& list) {
+void add_water_checks(CheckList& list) {
     const RunRecord& record = list.record;
     if (const Column* mass = record.series("samples", "mass"); mass && !(number_of(record, "speed", 0) > 0)) {
         const double leaves = no_water_leaves_until(record);
@@ -250,8 +250,8 @@ void add_water_gates(GateList& list) {
     if (const auto level = level_at_inlet(record); level && number_of(record, "depth", 0) > 0)
         list.add("level at the inlet", "% of the depth", 100 * std::abs(level->value) / number_of(record, "depth", 0),
                  1,
-                 fmt::format("{:+.3g} m from the still level, mean up to {:.4g} s: the stream is another one than the "
-                             "scene's",
+                 fmt::format("{:+.3g} m from the still level, mean up to {:.4g} s: the run does not hold the level of "
+                             "the scene's stream",
                              level->value, level->time));
 }
 

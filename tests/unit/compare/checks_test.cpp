@@ -6,23 +6,23 @@
 #include <numbers>
 #include <optional>
 
+#include "compare/checks/checks.h"
 #include "compare/compare.h"
-#include "compare/gates/gates.h"
 #include "meshes/generate.h"
 #include "meshes/section.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
-namespace gates_test {
+namespace checks_test {
 
 using namespace synthetic_pair;
 
-TEST(Gates, ACertificateLineIsACheckOfItsRun) {
+TEST(Checks, ACertificateLineIsACheckOfItsRun) {
     RunRecord pressed = synthetic_run(sph);
     pressed.certificate = {{"compression", "%", 17.8, 5, 0.31, {1, 2, -0.5}}, {"Mach number", "-", 0.11, 0.15, 0.3}};
     const Comparison c = compare_records({pressed, synthetic_run(fvm)});
-    const auto line = std::ranges::find(c.gates, "compression", &Gate::name);
-    ASSERT_NE(line, c.gates.end());
+    const auto line = std::ranges::find(c.checks, "compression", &ValidityCheck::name);
+    ASSERT_NE(line, c.checks.end());
     EXPECT_FALSE(line->pass);
     EXPECT_NE(line->remark.find("at 0.31 s, (1, 2, -0.5) m"), std::string::npos) << line->remark;
     const std::string console = summary_text(c);
@@ -30,16 +30,16 @@ TEST(Gates, ACertificateLineIsACheckOfItsRun) {
     EXPECT_EQ(console.find("Mach number"), std::string::npos) << "met";
 }
 
-TEST(Gates, LostParticlesFailTheirGate) {
+TEST(Checks, LostParticlesFailTheirGate) {
     RunRecord leaky = synthetic_run(sph);
     leaky.table("samples").column("particles_lost", "-").values[3] = 2;
     bool failed = false;
-    for (const Gate& g : compare_records({leaky, synthetic_run(fvm)}).gates)
+    for (const ValidityCheck& g : compare_records({leaky, synthetic_run(fvm)}).checks)
         failed = failed || (g.name == "particles lost" && !g.pass && g.value == 2);
     EXPECT_TRUE(failed);
 }
 
-TEST(Gates, WaterMayLeaveATankByItsOpenTopAndBeforeThatItMustNotVanish) {
+TEST(Checks, WaterMayLeaveATankByItsOpenTopAndBeforeThatItMustNotVanish) {
     RunRecord tank;
     tank.numbers["domain_z_max"] = 0.2;
     tank.raster.voxel = 0.1;
@@ -49,9 +49,9 @@ TEST(Gates, WaterMayLeaveATankByItsOpenTopAndBeforeThatItMustNotVanish) {
     samples.column("mass", "kg").values = {10, 10, 6};
     tank.frames = {{0.1, {255, 255, 0, 0}}, {0.2, {255, 200, 0, 0}}, {0.3, {200, 100, 0, 7}}};
     const auto drift = [&] {
-        for (const Gate& g : check_gates(tank, "SPH"))
+        for (const ValidityCheck& g : checks_of(tank, "SPH"))
             if (g.name == "mass drift") return g;
-        return Gate{};
+        return ValidityCheck{};
     };
     EXPECT_TRUE(drift().pass);
     EXPECT_EQ(drift().remark, "the water of a tank is conserved until it is at the tank's open top, 0.2 s");
@@ -64,15 +64,15 @@ TEST(Gates, WaterMayLeaveATankByItsOpenTopAndBeforeThatItMustNotVanish) {
     EXPECT_NEAR(drift().value, 40, 1e-9);
 }
 
-TEST(Gates, DragThatTheResolutionMakesIsToldOfASubmergedBody) {
+TEST(Checks, DragThatTheResolutionMakesIsToldOfASubmergedBody) {
     RunRecord torpedo = synthetic_run(fvm);  // a sphere of 0.5 m, 12.5 spacings, a metre down, 8 m/s
     torpedo.hull = make_hull("sphere", {{"diameter", 0.5}});
     const double top = torpedo.hull.bounds().max.z();
     for (Vec3& p : torpedo.hull.points) p.z() -= 1.0 + top;
     torpedo.hull_pressure.clear(), torpedo.hull_wet.clear();
     torpedo.attributes["symmetry_factor"] = "1";
-    const auto gate = [](const RunRecord& r) -> std::optional<Gate> {
-        for (const Gate& g : check_gates(r, "fvm"))
+    const auto gate = [](const RunRecord& r) -> std::optional<ValidityCheck> {
+        for (const ValidityCheck& g : checks_of(r, "fvm"))
             if (g.name == "numerical drag of a closed body") return g;
         return {};
     };
@@ -90,12 +90,12 @@ TEST(Gates, DragThatTheResolutionMakesIsToldOfASubmergedBody) {
     EXPECT_FALSE(gate(synthetic_run(sph)));
 }
 
-TEST(Gates, AirSmearedUnderAHullIsToldWithWhatItIsWorth) {
+TEST(Checks, AirSmearedUnderAHullIsToldWithWhatItIsWorth) {
     RunRecord smeared = synthetic_run(fvm);
     const auto air = [](const RunRecord& r) {
-        for (const Gate& g : check_gates(r, "fvm"))
+        for (const ValidityCheck& g : checks_of(r, "fvm"))
             if (g.name == "air in the water at the hull") return g;
-        return Gate{};
+        return ValidityCheck{};
     };
     EXPECT_TRUE(air(smeared).pass);
     for (Column& c : smeared.tables.at("samples").columns)
@@ -105,12 +105,12 @@ TEST(Gates, AirSmearedUnderAHullIsToldWithWhatItIsWorth) {
     EXPECT_NE(air(smeared).remark.find("a sharper surface lowers the lift"), std::string::npos) << air(smeared).remark;
 }
 
-TEST(Gates, WaterThatStaysAttachedBehindAStepIsTold) {
+TEST(Checks, WaterThatStaysAttachedBehindAStepIsTold) {
     RunRecord attached = synthetic_run(fvm);
     const auto suction = [](const RunRecord& r) {
-        for (const Gate& g : check_gates(r, "fvm"))
+        for (const ValidityCheck& g : checks_of(r, "fvm"))
             if (g.name == "suction on the hull") return g;
-        return Gate{};
+        return ValidityCheck{};
     };
     EXPECT_TRUE(suction(attached).pass);
     EXPECT_EQ(suction(attached).value, 0);
@@ -119,12 +119,12 @@ TEST(Gates, WaterThatStaysAttachedBehindAStepIsTold) {
     EXPECT_FALSE(suction(attached).pass);
 }
 
-TEST(Gates, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
+TEST(Checks, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
     RunRecord run = synthetic_run(fvm);  // 8 m/s: rho U^2 / 2 is 32 kPa
     const auto told = [](const RunRecord& r) {
-        for (const Gate& g : check_gates(r, "fvm"))
+        for (const ValidityCheck& g : checks_of(r, "fvm"))
             if (g.name == "suction over rho U^2 / 2") return g;
-        return Gate{};
+        return ValidityCheck{};
     };
     EXPECT_TRUE(told(run).pass);
     std::size_t astern = 0;  // the face that looks most astern
@@ -146,10 +146,10 @@ TEST(Gates, OneFaceThatIsSuckedAtHarderThanTheStreamCanIsTold) {
 
 /// Potential flow sucks at a sphere's side with 1.25 rho U^2 / 2, and at the edges of what lies under water with more: no
 /// cell is bad there, and no air could come in.
-TEST(Gates, SuctionOnRoundHullsAndUnderWaterIsNoFault) {
+TEST(Checks, SuctionOnRoundHullsAndUnderWaterIsNoFault) {
     const auto told = [](const RunRecord& r) {
         std::string all;
-        for (const Gate& g : check_gates(r, "fvm"))
+        for (const ValidityCheck& g : checks_of(r, "fvm"))
             if (g.name.starts_with("suction") && !g.pass) all += g.name + "; ";
         return all;
     };
@@ -170,14 +170,14 @@ TEST(Gates, SuctionOnRoundHullsAndUnderWaterIsNoFault) {
 }
 
 /// A body under water with 10 N of lift left of 20 kN up and down: measures of its force that differ by 1 N agree.
-TEST(Gates, MeasuresOfALiftNearZeroAreJudgedByTheLoadTheyAreMadeOf) {
+TEST(Checks, MeasuresOfALiftNearZeroAreJudgedByTheLoadTheyAreMadeOf) {
     RunRecord run = synthetic_run(sph);
     const auto spread = [](const RunRecord& r) {
-        for (const Gate& g : check_gates(r, "sph"))
+        for (const ValidityCheck& g : checks_of(r, "sph"))
             if (g.name == "spread of the force measures") return g;
-        return Gate{};
+        return ValidityCheck{};
     };
-    const Gate lifted = spread(run);
+    const ValidityCheck lifted = spread(run);
     EXPECT_NEAR(lifted.value, 3, 1e-6);  // 1.02 and 0.99 of the lift
     EXPECT_EQ(lifted.remark.find("hardly"), std::string::npos);
     for (const char* name : {"fz", "fz_surface", "fz_volume"})
@@ -189,10 +189,10 @@ TEST(Gates, MeasuresOfALiftNearZeroAreJudgedByTheLoadTheyAreMadeOf) {
     EXPECT_NEAR(spread(run).value, 10, 1e-6) << "without a load to judge by, of the lift";
 }
 
-TEST(Gates, PressureOnAPrismaticBottomStandsSquareOnItsKeel) {
+TEST(Checks, PressureOnAPrismaticBottomStandsSquareOnItsKeel) {
     RunRecord run = synthetic_run(fvm);  // 2722 N at a trim of 5 degrees: 238.1 N of drag
-    const auto told = [](const RunRecord& r) -> std::optional<Gate> {
-        for (const Gate& g : check_gates(r, "fvm"))
+    const auto told = [](const RunRecord& r) -> std::optional<ValidityCheck> {
+        for (const ValidityCheck& g : checks_of(r, "fvm"))
             if (g.name == "drag against lift times tan trim") return g;
         return {};
     };
@@ -210,5 +210,5 @@ TEST(Gates, PressureOnAPrismaticBottomStandsSquareOnItsKeel) {
     EXPECT_FALSE(told(run)) << "a sphere's bottom has no keel";
 }
 
-}  // namespace gates_test
+}  // namespace checks_test
 }  // namespace tw

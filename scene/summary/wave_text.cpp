@@ -1,4 +1,4 @@
-#include "scene/wave_text.h"
+#include "scene/summary/wave_text.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "methods/names.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
 #include "scene/wave_twin.h"
@@ -16,7 +17,7 @@ namespace tw {
 namespace {
 
 bool particles_run(const Scene& scene) {
-    return std::ranges::find(scene.run.methods, "sph") != scene.run.methods.end();
+    return std::ranges::find(scene.run.methods, sph_method) != scene.run.methods.end();
 }
 
 double between_zones(const Scene& scene) {

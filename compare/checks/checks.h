@@ -12,35 +12,35 @@ namespace tw {
 /// until water is at its open top), largest speed, ventilation, suction on a hull that has edges in air, drag that a
 /// prismatic bottom cannot have, spread of the force measures; then the validity checks made in it. Only those
 /// whose data the record holds.
-std::vector<Gate> check_gates(const RunRecord& record, const std::string& name);
-/// Those that are not met.
-std::vector<Gate> failed_gates(std::vector<Gate> gates);
+std::vector<ValidityCheck> checks_of(const RunRecord& record, const std::string& name);
+/// The checks that are not met.
+std::vector<ValidityCheck> failed_checks(std::vector<ValidityCheck> checks);
 
 /// The checks of one run, as they are made.
-struct GateList {
+struct CheckList {
     const RunRecord& record;
     const std::string& name;  ///< of the run, for people
-    std::vector<Gate> gates = {};
+    std::vector<ValidityCheck> checks = {};
 
     /// Met by a value up to the limit.
-    void add(std::string gate, std::string unit, double value, double limit, std::string remark) {
-        gates.push_back({std::move(gate), name, std::move(unit), value, limit, value <= limit + 1e-9 * std::abs(limit),
-                         std::move(remark)});
+    void add(std::string check, std::string unit, double value, double limit, std::string remark) {
+        checks.push_back({std::move(check), name, std::move(unit), value, limit,
+                          value <= limit + 1e-9 * std::abs(limit), std::move(remark)});
     }
 };
 
-/// Whether the water is all there and at rest where it should be (water_gates.cpp).
-void add_water_gates(GateList& list);
+/// Whether the water is all there and at rest where it should be (water_checks.cpp).
+void add_water_checks(CheckList& list);
 /// What a hull shows that the resolution or the method gets wrong: air smeared under it, suction at its edges, drag that
-/// its bottom cannot have, force measures that differ (hull_gates.cpp).
-void add_hull_gates(GateList& list);
+/// its bottom cannot have, force measures that differ (hull_checks.cpp).
+void add_hull_checks(CheckList& list);
 
-// What the gates of the water are made of: whether a run keeps the water that its heights, pressures and means take for
-// granted. Only of what the record holds.
+// The measures behind the checks of the water: whether a run keeps the water that its heights, pressures and means take
+// for granted. Only of what the record holds.
 
 /// The largest departure of a quantity over a run.
 struct Departure {
-    double value = 0;  ///< in the unit of the function that tells it
+    double value = 0;  ///< [unit of the function that tells it]
     double time = 0;   ///< [s]
 };
 

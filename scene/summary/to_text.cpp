@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "motion/table_motion.h"
+#include "methods/methods.h"
+#include "methods/names.h"
 #include "record/influence_words.h"
 #include "scene/box/box_walls.h"
 #include "scene/box/forcing_zones.h"
@@ -21,25 +22,17 @@
 #include "scene/refined_places.h"
 #include "scene/scene.h"
 #include "scene/solids/thin_jet.h"
-#include "scene/solids/walls_met.h"
+#include "scene/summary/solids_text.h"
+#include "scene/summary/wave_text.h"
 #include "scene/water/afloat.h"
 #include "scene/water/struck_plate.h"
 #include "scene/water/tailwater.h"
 #include "scene/water/water_at_start.h"
-#include "scene/wave_text.h"
-#include "structure/shell/shell.h"
-#include "structure/solid/solid.h"
-#include "text/plain_degrees.h"
 #include "text/plain_number.h"
 #include "text/units.h"
 
 namespace tw {
 namespace {
-
-// + 0.0: minus zero is zero
-std::string place(const Vec3& p) {
-    return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
-}
 
 std::string side_name(Side side, bool holds_water) {
     switch (side) {
@@ -50,39 +43,6 @@ std::string side_name(Side side, bool holds_water) {
         case Side::atmosphere: return "atmosphere";
     }
     return "";
-}
-
-std::string free_hull_text(const FreeHull& free, const std::string& unit_of_mass) {
-    const RigidBodySetup& m = free.motion;
-    std::string out = fmt::format(
-        "  free      in {}{}{} from {:.4g} s on, surge held: mass {:.5g} {}, centre at {} m, radius of gyration {:.4g} "
-        "m\n",
-        m.free.along[2] ? "heave" : "", m.free.along[2] && m.free.about[1] ? " and " : "",
-        m.free.about[1] ? "pitch" : "", m.release, m.mass.mass, unit_of_mass, place(m.mass.centre),
-        std::sqrt(m.mass.inertia(1, 1) / m.mass.mass));
-    if (free.at_rest)
-        out += fmt::format("  at rest   it floats {:.4g} m {} where it stands, its bow turned {} by {} deg\n",
-                           std::abs(free.at_rest->rise), free.at_rest->rise < 0 ? "below" : "above",
-                           free.at_rest->turn < 0 ? "down" : "up", plain_degrees(std::abs(free.at_rest->turn)));
-    return out;
-}
-
-std::string hull_text(const Hull& h) {
-    std::string out = fmt::format(
-        "hull        {}: {:.4g} m long, {}; trim {} deg, draft {:.4g} m{}\n", h.source, h.length,
-        h.section ? "its section with y = 0, results are per metre of span" : fmt::format("{:.4g} m wide", h.beam),
-        plain_degrees(h.trim), h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
-    out += fmt::format(
-        "            it displaces {:.4g} {} at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
-        h.still.volume, h.section ? "m3 per metre" : "m3", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),
-        h.surface.triangles.size());
-    if (h.free) out += free_hull_text(*h.free, h.section ? "kg/m" : "kg");
-    for (const std::string& r : h.repairs) out += "  repaired  " + r + "\n";
-    for (const Finding& f : h.findings)
-        out += fmt::format("  {:9} {}: {}\n", f.level == Finding::Level::note ? "note" : "warning", f.name, f.message);
-    if (h.findings.empty())
-        out += "            the surface is closed, its normals point outward, and nothing was found wrong with it\n";
-    return out;
 }
 
 /// Whether the scene asks for runs by a method; what the others would take is predicted as well.
@@ -119,98 +79,6 @@ std::string start_up_text(const Scene& scene, const Prediction& p) {
     return out + "\n";
 }
 
-std::string findings_text(const std::vector<Finding>& findings) {
-    std::string out;
-    for (const Finding& f : findings)
-        out += fmt::format("  {:9} {}\n", f.level == Finding::Level::warning ? "warning" : "note", f.message);
-    return out;
-}
-
-std::string plate_text(const MovingBody& b, const Scene& scene) {
-    const ElasticPlate& p = *b.plate();
-    const structure::Laminate laminate(p.plies);
-    const double explicit_step = shell_of(p, p.cell()).explicit_step(), dp = scene.resolution.near_hull,
-                 sound = scene.sph.cfl * scene.sph.h_over_dp * dp / scene.sph.c0,
-                 spring = 2 * dp / (scene.sph.c0 * std::sqrt(scene.water.density * dp / laminate.areal_mass()));
-    std::string out = fmt::format(
-        "  elastic   {} elements of at most {:.3g} m, {:.4g} kg/m2, D11 {:.4g}, D22 {:.4g} N m; {}; {} rotations\n",
-        p.elements(), p.cell(), laminate.areal_mass(), laminate.D()(0, 0), laminate.D()(1, 1), p.supports(),
-        p.large_rotations ? "large" : "small");
-    if (p.total_mass > 0)
-        out += fmt::format("  mass      {:.5g} {} with the frame; at the start {} m/s\n", p.total_mass,
-                           scene.spanwise_unit("kg"), place(p.velocity));
-    out += fmt::format(
-        "  time      average acceleration, implicit, in the water's steps: sound allows {:.3g} s, water on the plate "
-        "{:.3g} s{}; explicit steps could be no longer than {:.3g} s\n",
-        sound, spring, p.largest_step > 0 ? fmt::format(", structure_step {:.3g} s", p.largest_step) : "",
-        explicit_step);
-    for (const ElasticGauge& g : p.gauges)
-        out +=
-            fmt::format("  gauge     {}: {} at {} m\n", g.name,
-                        g.direction ? fmt::format("strain along {}, {}", place(*g.direction), g.top ? "top" : "bottom")
-                                    : "displacement",
-                        place(g.position));
-    return out + findings_text(b.findings);
-}
-
-std::string tyre_text(const MovingBody& b) {
-    const ElasticTyre& t = *b.tyre();
-    const structure::Solid solid = solid_of(t);
-    const double height = b.surface.bounds().size().z();
-    std::string out = fmt::format(
-        "  elastic   {} hexahedra; inflated by {:.4g} Pa to {:.4g} mm from {:.4g} mm\n"
-        "  mass      {:.5g} kg with rim and load; at the start {} m/s\n"
-        "  time      explicit, the water's steps cut into sub-steps below {:.3g} s, the elements' limit\n"
-        "  floor     met without friction; 1 MPa presses the rubber {:.3g} mm into it\n",
-        solid.elements().size(), t.pressure, 1000 * height, 1000 * t.shape.outer_diameter, t.total_mass,
-        place(t.velocity), solid.explicit_step(Eigen::VectorXd::Zero(solid.dofs())), 1000 * t.contact_depth);
-    return out + findings_text(b.findings);
-}
-
-std::string law_text(const MotionLaw& law) {
-    static constexpr const char* kinds[] = {"constant rate", "ramp", "sinusoid", "table"};
-    const char* const unit = law.turns ? "rad" : "m";
-    std::string out = fmt::format("  moves     as prescribed ({}) {} {}, at most {:.4g} {}/s and {:.4g} {}/s2\n",
-                                  kinds[static_cast<int>(law.kind)], law.turns ? "about" : "along", place(law.axis),
-                                  law.fastest(), unit, largest_acceleration(law), unit);
-    if (law.kind != MotionLaw::Kind::table) return out;
-    const EndsOfTable ends = ends_of_table(law.times, law.values);
-    const auto how = [&](double rate) {
-        return rate == 0 ? std::string("at rest") : fmt::format("at {:.4g} {}/s", rate, unit);
-    };
-    return out + fmt::format(
-                     "  table     {} rows, at most {:.4g} {}/s from row to row; it begins {} and ends at {:.4g} s {}\n",
-                     law.times.size(), largest_of_table(law.times, law.values).from_row_to_row, unit, how(ends.begin),
-                     law.times.back(), how(ends.end));
-}
-
-std::string contact_text(const MovingBody& b, const Scene& scene) {
-    if (walls_met(b, scene).empty()) return {};
-    std::string touched;
-    for (const MetWall& wall : walls_touched(b, scene)) touched += (touched.empty() ? "" : " and ") + wall.name;
-    return fmt::format("  contact   with floor and sides of the tank, friction {:.4g}, no rebound (particles){}\n",
-                       b.friction, touched.empty() ? "" : fmt::format("; it starts on {}", touched));
-}
-
-std::string body_text(const MovingBody& b, const Scene& scene) {
-    const RigidBodySetup& m = b.motion;
-    const Box at = b.surface.bounds();
-    std::string out = fmt::format("body        {}: {}, {} to {} m\n", b.name, b.source, place(at.min), place(at.max));
-    if (b.tyre()) return out + tyre_text(b);
-    if (b.elastic) return out + plate_text(b, scene);
-    if (m.law) return out + law_text(*m.law);
-    static constexpr const char* names[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
-    std::string free;
-    for (std::size_t k = 0; k < 6; ++k)
-        if (k < 3 ? m.free.along[k] : m.free.about[k - 3]) free += (free.empty() ? "" : ", ") + std::string(names[k]);
-    out += fmt::format("  mass      {:.5g} {}, centre at {} m, inertia {:.4g}, {:.4g}, {:.4g} {}\n", m.mass.mass,
-                       scene.spanwise_unit("kg"), place(m.mass.centre), m.mass.inertia(0, 0), m.mass.inertia(1, 1),
-                       m.mass.inertia(2, 2), scene.spanwise_unit("kg m2"));
-    out += fmt::format("  moves     freely in {}; at the start {} m/s, spin {} rad/s\n", free, place(m.velocity),
-                       place(m.spin));
-    return out + contact_text(b, scene) + findings_text(b.findings);
-}
-
 /// Of particles that run into finer zones, and one line for each of several sizes of them.
 std::string sizes_text(const Scene& scene, const Prediction& p, const MethodCost& cost) {
     std::string out;
@@ -245,7 +113,7 @@ std::string jet_text(const Scene& scene) {
 /// `where`: how much of the box.
 std::string zone_line(double size, const std::string& where, const Box& box, const Domain& d) {
     return fmt::format("  {:13} {:.4g} m {}in {} to {} m, twice that outside (sph only)\n", "particles", size, where,
-                       place(box.min.cwiseMax(d.box.min)), place(box.max.cwiseMin(d.box.max)));
+                       place_text(box.min.cwiseMax(d.box.min)), place_text(box.max.cwiseMin(d.box.max)));
 }
 
 /// What the zones of a stream take of a run, beside the same scene without them.
@@ -274,26 +142,33 @@ std::string zones_text(const Scene& scene, const Prediction& p) {
     return out;
 }
 
-}  // namespace
+void add_line(std::string& out, const std::string& label, const std::string& sentence) {
+    if (!sentence.empty()) out += label + sentence + "\n";
+}
 
-std::string to_text(const Scene& scene, const Prediction& p) {
-    std::string out = scene.title + "\n\n";
+std::string solids_text(const Scene& scene) {
+    std::string out;
     if (scene.hull) out += hull_text(*scene.hull);
     for (const Obstacle& o : scene.obstacles) {
         const Box b = o.surface.bounds();
-        out += fmt::format("obstacle    {}: {} to {} m\n", o.name, place(b.min), place(b.max));
+        out += fmt::format("obstacle    {}: {} to {} m\n", o.name, place_text(b.min), place_text(b.max));
     }
     if (scene.tank_motion) {
         out += "tank        places, velocities and forces are in its own axes\n" + law_text(scene.tank_motion->law);
         if (scene.tank_motion->law.turns)
-            out += fmt::format("            through {} m\n", place(scene.tank_motion->pivot));
+            out += fmt::format("            through {} m\n", place_text(scene.tank_motion->pivot));
     }
     for (const MovingBody& b : scene.bodies) out += body_text(b, scene);
-    if (is_run("fvm", scene))
-        if (const std::string mesh = mesh_motion(scene).sentence(); !mesh.empty()) out += "  fvm       " + mesh + "\n";
+    if (is_run(fvm_method, scene)) add_line(out, "  fvm       ", mesh_motion(scene).sentence());
+    return out;
+}
+
+/// Where the water is at the start, what it is, and how it moves.
+std::string water_text(const Scene& scene) {
+    std::string out;
     for (const Box& b : scene.water_blocks)
-        out += fmt::format("water       block {} to {} m\n", place(b.min), place(b.max));
-    for (const std::string& sentence : water_at_start(scene)) out += "  at start  " + sentence + "\n";
+        out += fmt::format("water       block {} to {} m\n", place_text(b.min), place_text(b.max));
+    for (const std::string& sentence : water_at_start(scene)) add_line(out, "  at start  ", sentence);
     const Water& w = scene.water;
     out += fmt::format("water       {:.4g} m deep, {:.5g} kg/m3, nu {:.3g} m2/s, sigma {:.3g} N/m, g {:.4g} m/s2\n",
                        w.depth, w.density, w.kinematic_viscosity, w.surface_tension, w.gravity);
@@ -307,49 +182,73 @@ std::string to_text(const Scene& scene, const Prediction& p) {
         out += "motion      none: the water is at rest at the start\n";
     out += wave_text(scene);
     for (const Finding& f : doubtful_input(scene)) out += fmt::format("  warning   {}: {}\n", f.name, f.message);
+    return out;
+}
+
+std::string domain_text(const Scene& scene, const Prediction& p) {
     const Domain& d = scene.domain;
     const auto side = [holds = tank_holds_water(scene)](Side s) { return side_name(s, holds); };
-    out += fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n", place(d.box.min),
-                       place(d.box.max), d.dimensions, side(d.x_min), side(d.x_max), side(d.y_min), side(d.y_max),
-                       side(d.z_min), side(d.z_max));
+    std::string out = fmt::format("domain      {} to {} m, {} dimensions; x: {}, {}; y: {}, {}; z: {}, {}\n",
+                                  place_text(d.box.min), place_text(d.box.max), d.dimensions, side(d.x_min),
+                                  side(d.x_max), side(d.y_min), side(d.y_max), side(d.z_min), side(d.z_max));
     out += zones_text(scene, p);
-    if (const std::string walls = wall_warning(scene); !walls.empty()) out += "  warning   " + walls + "\n";
+    add_line(out, "  warning   ", wall_warning(scene));
     if (const std::string channel = channel_text(scene); !channel.empty())
         out += "  channel   the values are those of " + channel + "\n";
-    out += fmt::format(
-        "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",
-        scene.resolution.near_hull, scene.resolution.spacing);
-    for (const RefinementBox& r : scene.refinement)
-        out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
-                           place(r.box.min), place(r.box.max));
-    if (const std::string why = why_one_size_afloat(scene); !why.empty()) out += "  note      " + why + "\n";
+    return out;
+}
+
+/// The zones of finer particles, each with the box that it reaches.
+std::string particle_zones_text(const Scene& scene) {
+    std::string out;
     const std::vector<Zone> zones = particle_zones(scene);
     for (std::size_t k = 0; k < zones.size(); ++k) {
         const std::vector<Box>& boxes = zones[k].boxes();
         const bool follows = zones[k].follows_surface();
         const double size = std::ldexp(finest_spacing(scene), static_cast<int>(zones.size() - k) - 1);
         if (follows)
-            out += zone_line(size, fmt::format("within {:.3g} m of the hull, ", zones[k].width()), boxes[0], d);
+            out +=
+                zone_line(size, fmt::format("within {:.3g} m of the hull, ", zones[k].width()), boxes[0], scene.domain);
         if (const std::span<const Box> rest = std::span(boxes).subspan(follows ? 1 : 0); !rest.empty()) {
             Box all = rest.front();
             for (const Box& box : rest) all = {all.min.cwiseMin(box.min), all.max.cwiseMax(box.max)};
-            out += zone_line(size, rest.size() > 1 ? fmt::format("in {} boxes ", rest.size()) : "", all, d);
+            out += zone_line(size, rest.size() > 1 ? fmt::format("in {} boxes ", rest.size()) : "", all, scene.domain);
         }
     }
+    return out;
+}
+
+std::string resolution_text(const Scene& scene) {
+    std::string out = fmt::format(
+        "resolution  {:.4g} m at the hull (particles, finest cells), {:.4g} m far from it (largest cells)\n",
+        scene.resolution.near_hull, scene.resolution.spacing);
+    for (const RefinementBox& r : scene.refinement)
+        out += fmt::format("  {:13} {:.4g} m cells in {} to {} m\n", r.name, scene.resolution.spacing / (1 << r.level),
+                           place_text(r.box.min), place_text(r.box.max));
+    add_line(out, "  note      ", why_one_size_afloat(scene));
+    out += particle_zones_text(scene);
     if (const EdgeRefinement shedding = edge_refinement(scene); !shedding.edges.empty())
         out += fmt::format("  {:13} {:.4g} m cells along {:.3g} m of edges from which the water leaves (fvm only)\n",
                            "edges", scene.resolution.near_hull / (1 << shedding.halvings), length_of(shedding.edges));
-    out += jet_text(scene);
+    return out + jet_text(scene);
+}
+
+std::string sampling_text(const Scene& scene, const Prediction& p) {
     const Sampling& s = scene.sampling;
-    out += fmt::format("sampling    every {:.4g} s into {} x {} x {} voxels of {:.4g} m; ", s.interval,
-                       s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);
+    std::string out = fmt::format("sampling    every {:.4g} s into {} x {} x {} voxels of {:.4g} m; ", s.interval,
+                                  s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);
     if (s.mean_from > 0) out += fmt::format("means from {:.4g} s; ", s.mean_from);
     out += fmt::format("{} pressure and {} height probes\n", s.pressure.size(), s.height.size());
     for (const MeasuredValue& m : scene.measured)
         out += fmt::format("measured    {} {:.6g} {} ({})\n", m.quantity, m.value / parse_unit(m.unit).factor, m.unit,
                            m.source);
     if (p.snapshots > 0) out += fmt::format("  snapshots {:.0f} sets of ParaView files\n", p.snapshots);
-    out += fmt::format(
+    return out;
+}
+
+/// How long it runs, and what speaks against a mean from it.
+std::string run_text(const Scene& scene, const Prediction& p) {
+    std::string out = fmt::format(
         "run         {}{:.4g} s{}, particle sound speed {:.4g} m/s{}\n",
         scene.run.stops_when_settled() ? "at most " : "", scene.run.duration,
         scene.run.stops_when_settled() ? ", until drag, lift and trim moment have settled" : "", scene.sph.c0,
@@ -357,7 +256,7 @@ std::string to_text(const Scene& scene, const Prediction& p) {
             ? fmt::format(", the water falls at up to {:.4g} m/s, with faster jets, because it hits an elastic plate",
                           explained_speed(scene))
             : "");
-    if (s.mean_from > 0 && scene.run.duration <= s.mean_from)
+    if (scene.sampling.mean_from > 0 && scene.run.duration <= scene.sampling.mean_from)
         out += "  note      the run ends before the means begin: no settled mean can be given\n";
     out += start_up_text(scene, p);
     if (const double mach = 0.1 * default_sound_speed(scene) / scene.sph.c0; mach > 0.15)
@@ -365,7 +264,11 @@ std::string to_text(const Scene& scene, const Prediction& p) {
             "  warning   the water moves at {:.2g} times this sound speed, which compresses it by about {:.0f} %; "
             "raise [sph] c0\n",
             mach, 50 * mach * mach);
-    out += "\neffects\n";
+    return out;
+}
+
+std::string effects_planned(const Scene& scene) {
+    std::string out;
     for (const EffectChoice& e : scene.effects)
         out += fmt::format(
             "  {:16} {:3} {}: {}\n{:24}influence: {}{}\n", e.name, e.on ? "on" : "off",
@@ -373,17 +276,32 @@ std::string to_text(const Scene& scene, const Prediction& p) {
             influence_in_words(e.influence, scene.motion.kind == Motion::Kind::stream),
             e.cost > 0 ? fmt::format("; cost {} {:.0f} % of a particle run", e.on ? "is" : "would be", 100 * e.cost)
                        : "");
-    out += fmt::format(
-        "\npredicted for this machine (two significant digits at best; drawing the report takes {:.2g} GB at least)\n",
-        bytes_of_report / 1e9);
+    return out;
+}
+
+std::string cost_text(const Scene& scene, const Prediction& p) {
+    std::string out;
     for (const MethodCost& cost : p.costs) {
         if (!is_run(cost.method, scene)) continue;
         out += fmt::format("  {:4} {}, {} steps, {:.2g} GB, {}\n", cost.method, cost.in_words, plain_number(cost.steps),
                            cost.bytes / 1e9, time_in_words(cost.seconds));
         if (elements_of(cost.method) == "particles") out += sizes_text(scene, p, cost);
     }
-    out += "\nscene hash  " + scene.hash + "\n";
     return out;
+}
+
+}  // namespace
+
+std::string to_text(const Scene& scene, const Prediction& p) {
+    return scene.title + "\n\n" +  //
+           solids_text(scene) + water_text(scene) + domain_text(scene, p) + resolution_text(scene) +
+           sampling_text(scene, p) + run_text(scene, p) +  //
+           "\neffects\n" + effects_planned(scene) +
+           fmt::format(
+               "\npredicted for this machine (two significant digits at best; drawing the report takes {:.2g} "
+               "GB at least)\n",
+               bytes_of_report / 1e9) +
+           cost_text(scene, p) + "\nscene hash  " + scene.hash + "\n";
 }
 
 }  // namespace tw

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 #include "meshes/generate/shapes.h"
 #include "record/raster.h"
 #include "record/solid_at_rest.h"
 
 namespace tw {
-namespace water_gates_test {
+namespace water_checks_test {
 
 constexpr double g = 9.81, rho = 1000;
 
@@ -83,8 +83,8 @@ TEST(WaterKept, NothingIsSaidOfStreamsAndTanksThatMove) {
     EXPECT_FALSE(sunk_below_rest(moving));
 }
 
-std::optional<Gate> gate(const RunRecord& r, const std::string& name) {
-    for (const Gate& gate : check_gates(r, "SPH"))
+std::optional<ValidityCheck> gate(const RunRecord& r, const std::string& name) {
+    for (const ValidityCheck& gate : checks_of(r, "SPH"))
         if (gate.name == name) return gate;
     return {};
 }
@@ -184,5 +184,5 @@ TEST(WaterKept, ALevelThatHasLeftTheScenesFailsACheck) {
     EXPECT_NEAR(raised->value, 10, 0.1);  // 0.05 of 0.5 m
 }
 
-}  // namespace water_gates_test
+}  // namespace water_checks_test
 }  // namespace tw

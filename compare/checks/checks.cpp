@@ -1,4 +1,4 @@
-#include "compare/gates/gates.h"
+#include "compare/checks/checks.h"
 
 #include <fmt/format.h>
 
@@ -25,17 +25,17 @@ std::optional<double> largest(const RunRecord& record, const std::string& column
 }
 
 /// What any run has to show: that it came to its end, and that its water moves as it can.
-void add_run_gates(GateList& list) {
+void add_run_checks(CheckList& list) {
     const RunRecord& record = list.record;
     const double settled = number_of(record, "mean_from", 0), speed = number_of(record, "speed", 0);
     const double duration = number_of(record, "duration", 0);
     double end = 0;
     for (const auto& [table_name, table] : record.tables)
         if (!table.time.empty()) end = std::max(end, table.time.back());
-    Gate finished{"finished", list.name, "s", end, duration, record.state == "finished", record.state};
+    ValidityCheck finished{"finished", list.name, "s", end, duration, record.state == "finished", record.state};
     // Why a run failed is the first sentence of its report (failures_of).
     if (!record.reason.empty() && record.state != "failed") finished.remark += ": " + record.reason;
-    list.gates.push_back(finished);
+    list.checks.push_back(finished);
 
     if (const auto lost = largest(record, "particles_lost", 0))
         list.add("particles lost", "-", *lost, 0, "no particle may pass a wall");
@@ -46,30 +46,30 @@ void add_run_gates(GateList& list) {
                  "spray and air reach 1.6; a larger value indicates a fault");
 }
 
-void add_certificate(GateList& list) {
+void add_certificate(CheckList& list) {
     for (const CertificateLine& line : list.record.certificate) {
         std::string remark = fmt::format("validity check: extreme value of the whole run, at {:.4g} s", line.time);
         if (line.place.allFinite())
             remark += fmt::format(", ({:.3g}, {:.3g}, {:.3g}) m", line.place.x(), line.place.y(), line.place.z());
-        list.gates.push_back(
+        list.checks.push_back(
             {line.name, list.name, line.unit, line.value, line.limit, line.met(), remark, only_warns(line)});
     }
 }
 
 }  // namespace
 
-std::vector<Gate> check_gates(const RunRecord& record, const std::string& name) {
-    GateList list{record, name};
-    add_run_gates(list);
-    add_water_gates(list);
-    add_hull_gates(list);
+std::vector<ValidityCheck> checks_of(const RunRecord& record, const std::string& name) {
+    CheckList list{record, name};
+    add_run_checks(list);
+    add_water_checks(list);
+    add_hull_checks(list);
     add_certificate(list);
-    return std::move(list.gates);
+    return std::move(list.checks);
 }
 
-std::vector<Gate> failed_gates(std::vector<Gate> gates) {
-    std::erase_if(gates, [](const Gate& g) { return g.pass; });
-    return gates;
+std::vector<ValidityCheck> failed_checks(std::vector<ValidityCheck> checks) {
+    std::erase_if(checks, [](const ValidityCheck& g) { return g.pass; });
+    return checks;
 }
 
 }  // namespace tw
