@@ -69,17 +69,12 @@ void add_require_agree(CLI::App& c, bool& agree, const char* help) {
         ->check(CLI::IsMember({"agree"}));
 }
 
+}  // namespace
+
 void add_unit_and_axes(CLI::App& c, std::string& unit, std::string& axes) {
     c.add_option("--unit", unit, "unit of the file: m, mm, cm, ft, in")->type_name("{m,mm,cm,ft,in}");
     c.add_option("--axes", axes, "file axes that become x (stern), y, z (up), e.g. -xyz");
 }
-
-void add_surface(CLI::App& c, HullCommand& hull) {
-    c.add_option("in", hull.in, "STL, OBJ, PLY, VTP, STEP or IGES, also compressed (.gz)")->required();
-    add_unit_and_axes(c, hull.unit, hull.axes);
-}
-
-}  // namespace
 
 void add_jobs(CLI::App& c, Making& making) {
     CLI::Option* jobs = c.add_option("--jobs", making.jobs,
@@ -341,33 +336,6 @@ void uncertainty_options(CLI::App& c, UncertaintyCommand& uncertainty) {
          "--dimensions", uncertainty.dimensions,
          "2 or 3: in how many dimensions the runs are refined, where the first column counts cells or particles")
         ->check(CLI::IsMember({2, 3}));
-}
-
-void hull_info_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "info";
-    add_surface(c, hull);
-    c.add_option("--particle-spacing", hull.particle_spacing,
-                 "also find walls too thin for particles of this spacing [m]");
-}
-
-void hull_repair_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "repair";
-    add_surface(c, hull);
-    c.add_option("out", hull.out, "STL to write")->required();
-}
-
-void hull_convert_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "convert";
-    add_surface(c, hull);
-    c.add_option("out", hull.out, "STL to write")->required();
-}
-
-void hull_make_options(CLI::App& c, HullCommand& hull) {
-    hull.action = "make";
-    CLI::Option* shape =
-        c.add_option("shape", hull.shape, "one of the shapes that the list without a shape names")->type_name("SHAPE");
-    c.add_option("-o,--out", hull.out, "STL to write")->needs(shape);
-    c.add_option("parameters", hull.parameters, "name=value, e.g. length=4 \"beam=100 cm\" deadrise=20deg");
 }
 
 void case_options(CLI::App& c, CaseCommand& foam_case) {

@@ -34,6 +34,8 @@ void spray_options(CLI::App& c, SprayCommand& spray);
 void bench_options(CLI::App& c, BenchCommand& bench);
 void completion_options(CLI::App& c, CompletionCommand& completion);
 
+/// Of a surface file.
+void add_unit_and_axes(CLI::App& c, std::string& unit, std::string& axes);
 /// Of a study that is run on this machine, beside its own.
 void add_jobs(CLI::App& c, Making& making);
 /// Of one that is given to Slurm.
