@@ -8,6 +8,7 @@
 
 #include "base/numbers.h"
 #include "compare/metrics/quantity.h"
+#include "compare/metrics/regular_wave.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
@@ -35,7 +36,11 @@ MeanValue mean_of(const RunRecord& record, const std::string& table, const std::
         none.why_not = not_given;
         return none;
     }
-    return settled_mean(record.tables.at(table).time, c->values, settled_rules(record, options, allowed_error));
+    const std::vector<double>& time = record.tables.at(table).time;
+    // what a wave drives does not settle
+    if (const double period = number_of(record, "wave_period", 0); is_stream(record) && period > 0)
+        return mean_in_periods(record, table, column, periods_of(time, number_of(record, "mean_from", 0), period));
+    return settled_mean(time, c->values, settled_rules(record, options, allowed_error));
 }
 
 namespace {

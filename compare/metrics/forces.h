@@ -8,7 +8,7 @@ namespace tw {
 /// column].
 SettledRules settled_rules(const RunRecord& record, const CompareOptions& options, double allowed_error = 0);
 /// Settled mean of one column of a record under the rules of `options`; unknown with a reason when it has no such
-/// column. `allowed_error` as above.
+/// column. `allowed_error` as above. In a stream with a wave it is the mean over the last whole periods.
 MeanValue mean_of(const RunRecord& record, const std::string& table, const std::string& column,
                   const CompareOptions& options, double allowed_error = 0);
 

@@ -146,6 +146,21 @@ double mean_level(std::span<const double> t, std::span<const double> values, dou
     return fit_harmonics(t, values, omega)(0);
 }
 
+MeanValue mean_in_periods(const RunRecord& r, const std::string& table, const std::string& column,
+                          const WavePeriods& periods) {
+    const Column* c = r.series(table, column);
+    if (!c) return unknown_value(not_given);
+    std::vector<double> means;
+    for (int n = 0; n < periods.count; ++n) {
+        const double from = periods.from + n * periods.period;
+        const WaveSamples s = samples_between(r.tables.at(table).time, from, from + periods.period,
+                                              [&](std::size_t i) { return c->values[i]; });
+        if (static_cast<int>(s.t.size()) >= fewest_in_a_period)
+            means.push_back(mean_level(s.t, s.x, 2 * pi / periods.period));
+    }
+    return mean_over(means, periods);
+}
+
 void add_regular_wave(Comparison& comparison) {
     const WavePeriods periods = wave_periods(comparison);
     if (periods.period <= 0) return;

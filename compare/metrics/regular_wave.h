@@ -44,6 +44,9 @@ void add_added_by_waves(Comparison& comparison, const CompareOptions& options);
 
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);
+/// Mean of a column over whole periods, of each of which a mean and three harmonics are fitted.
+MeanValue mean_in_periods(const RunRecord& record, const std::string& table, const std::string& column,
+                          const WavePeriods& periods);
 /// The mean of that fit, which is not that of the samples where they are no whole number a period.
 double mean_level(std::span<const double> t, std::span<const double> values, double omega);
 

@@ -136,7 +136,7 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
             bodies.push_back(body_in(r, mover, periods));
             any_twin |= bodies.back().has_twin;
         }
-        const std::string missing = without_twin(comparison, bodies);
+        const std::string missing = mover.is_hull() ? "" : without_twin(comparison, bodies);
         for (const bool heave : {true, false}) {
             const std::string motion = heave ? "heave" : "pitch", label = heave ? "Heave" : "Pitch";
             const double factor = heave ? 1 : length / (2 * pi);  // over the slope k a

@@ -96,6 +96,15 @@ inline WavePeriods wave_periods(const Comparison& c) {
     return p;
 }
 
+/// The last whole periods of one series from a time on.
+inline WavePeriods periods_of(const std::vector<double>& time, double from, double period) {
+    WavePeriods p{.period = period};
+    if (time.empty() || !(period > 0)) return p;
+    p.count = whole_periods(std::max(from, time.front()), time.back(), period);
+    p.from = time.back() - p.count * period;
+    return p;
+}
+
 /// Mean of one value a period; unknown where fewer than three whole periods tell it.
 inline MeanValue mean_over(const std::vector<double>& values, const WavePeriods& periods) {
     if (periods.count < 3) return unknown_value("fewer than three whole periods were recorded");

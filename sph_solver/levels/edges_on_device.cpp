@@ -213,7 +213,7 @@ std::int64_t LevelOnDevice::hand(const Task& task, std::size_t n) {
 double LevelOnDevice::fastest2_of_following() {
     Arrays& on = *on_;
     const cuda::FastestOf of{on.p.view(), on.which.data()};
-    return loops_.largest(KernelOf<cuda::FastestOf>::name, &of, on.which.size());
+    return loops_.largest(of, on.which.size());
 }
 
 Followed LevelOnDevice::follow_coarser(EdgeSteps& coarser, const Asking& asking, FollowCoarser follow) {

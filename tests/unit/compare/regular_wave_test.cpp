@@ -1,5 +1,6 @@
 // What gauges tell of a regular wave: height, crest and trough over whole periods, and the part that comes back.
 #include "compare/metrics/regular_wave.h"
+#include "compare/metrics/forces.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/wave_analysis.h"
 #include "record/hull_motion.h"
@@ -265,6 +266,9 @@ TEST(RegularWaveMeasure, GivesWhatTheWaveAddsToACalmRun) {
         motion.set(row, "z", "m", 0.015);
         motion.set(row, "trim", "deg", 3.8);
     }
+    const MeanValue in_waves = mean_of(r, "forces", "fx", {});
+    ASSERT_TRUE(in_waves.known) << "what a wave drives does not settle: " << in_waves.why_not;
+    EXPECT_NEAR(in_waves.value, 14, 1e-6);
     add_added_by_waves(c, {});
     const Quantity *drag = c.find("added_resistance"), *trim = c.find("added_trim"), *rise = c.find("added_rise");
     ASSERT_TRUE(drag && trim && rise);
