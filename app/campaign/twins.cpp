@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <numbers>
 
 #include "app/arguments/output.h"
 #include "app/runs/read_run.h"
@@ -12,7 +12,6 @@
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 #include "scene/hash.h"
-#include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/wave_twin.h"
 
@@ -22,7 +21,7 @@ namespace fs = std::filesystem;
 
 LadderSizes sizes_of_twins(RunRequest own) {
     own.snapshots = false;
-    return {.request = std::move(own), .levels = 3, .ratio = std::sqrt(coarsest_twin), .variations = false};
+    return {.request = std::move(own), .levels = 3, .ratio = std::numbers::sqrt2, .variations = false};
 }
 
 Twins::Twins(RunRequest own, const fs::path& out) {

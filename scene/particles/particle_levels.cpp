@@ -228,7 +228,7 @@ void keep_those_with_room(Scene& scene, const std::function<void()>& make_domain
 
 }  // namespace
 
-void follow_spacing(Scene& scene, bool inlet_is_given, const std::function<void()>& make_domain) {
+void follow_spacing(Scene& scene, const std::function<void()>& make_domain) {
     int& levels = scene.sph.levels;
     Resolution& r = scene.resolution;
     const bool elastic = std::ranges::any_of(scene.bodies, [](const MovingBody& b) { return b.elastic.has_value(); });
@@ -241,24 +241,13 @@ void follow_spacing(Scene& scene, bool inlet_is_given, const std::function<void(
         levels = std::min(most_levels, 1 + static_cast<int>(std::lround(std::log2(r.spacing / r.near_hull))));
     if (!scene.places.contains("sph.wake") && follows_its_hull(scene) && scene.hull->surface.bounds().max.z() > 0)
         scene.sph.wake = 2;  // measured: docs/decisions/031-levels.md
-    const Resolution own = r;
-    const auto keep_at = [&](double scale) {
-        r.near_hull = own.near_hull / own.scale * scale, r.spacing = own.spacing / own.scale * scale, r.scale = scale;
+    if (r.scale != 1) {      // as many as at the scene's own size, so that runs of several sizes are similar
+        const Resolution scaled = r;
+        r.near_hull /= r.scale, r.spacing /= r.scale, r.scale = 1;
         keep_those_with_room(scene, make_domain);
-    };
-    // So that runs of several sizes are similar: as many as at the scene's own size, and as have room in its coarsest
-    // twin where the domain is made for that.
-    if (own.scale != 1) keep_at(1);
-    if (r.of_particles && planes(scene) && follows_its_hull(scene) && !inlet_is_given) keep_at(coarsest_twin);
-    r = own;
+        r = scaled;
+    }
     keep_those_with_room(scene, make_domain);
-}
-
-double room_ahead(const Scene& scene, int sizes, double finest) {
-    double room = (scene.sph.zone + 2) * finest;  // the zone of the finest lies on the lattice of the next
-    for (int k = 1; k < sizes; ++k) room += from_openings * std::ldexp(finest, k);
-    const Box bounds = scene.hull->surface.bounds();
-    return room - (reached_hull(scene, bounds).min.x() - bounds.min.x());
 }
 
 bool zones_move(const Scene& scene) {

@@ -35,15 +35,8 @@ bool is_refined_unasked(const Scene& scene);
 /// Gives the particles round the scene's solids the sizes between its near_hull and its spacing: as many as there may
 /// be, and as have room in the domain that `make_domain` makes for them (one where a body floats, afloat.h; at another
 /// scale no more than at the scene's own); and those in the wake of a hull that crosses the surface the default of
-/// `[sph] wake`. Round a planing hull that is held they are no more than have room in its coarsest twin, unless the
-/// scene gives its inlet (`inlet_is_given`). Without a solid one size is left. The domain is made in any case.
-void follow_spacing(Scene& scene, bool inlet_is_given, const std::function<void()>& make_domain);
-
-/// All sizes of the coarsest run of a grid triplet over the scene's own.
-inline constexpr double coarsest_twin = 2;
-/// Between the bow of a hull in a stream and the inlet, so that particles of so many sizes, of which the `finest` are at
-/// the hull, have room [m].
-double room_ahead(const Scene& scene, int sizes, double finest);
+/// `[sph] wake`. Without a solid one size is left. The domain is made in any case.
+void follow_spacing(Scene& scene, const std::function<void()>& make_domain);
 
 /// Between places that sample a box of this size [m]: as `asked` [m], unless that makes more than `most` places (twice
 /// as many in a box thinner than the distance). Where it makes a thousand times as many, no machine holds the

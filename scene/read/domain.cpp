@@ -9,7 +9,6 @@
 #include "scene/box/box_walls.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/defaults.h"
-#include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
 
 namespace tw {
@@ -38,10 +37,7 @@ Margins margins(const Scene& scene) {
     if (!several_sizes || !planes(scene) || hull.section) return m;
     const WallReach reach = reach_for_lift(hull, 0.01);
     m.side = std::max(m.side, beyond_formula * reach.side), m.below = std::max(m.below, beyond_formula * reach.depth);
-    if (!hull.free) {
-        const double coarsest = coarsest_twin * scene.resolution.near_hull / scene.resolution.scale;
-        m.ahead = std::max(m.ahead + 0.8 * hull.length, room_ahead(scene, std::min(3, scene.sph.levels), coarsest));
-    }
+    if (!hull.free) m.ahead += 0.8 * hull.length;  // where the zones of twice the sizes, a twin's, have room
     return m;
 }
 

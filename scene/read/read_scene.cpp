@@ -165,7 +165,7 @@ void settle_domain(Reading& r) {
     const bool unasked = is_refined_unasked(scene) && !s.wave.present();
     if ((r.resolution.spacing || unasked) && !scene.tank_motion && !s.numerics.at(sph_method).has("levels") &&
         !s.effects.on_off("air").value_or(false))
-        follow_spacing(scene, r.domain.x || r.domain.ahead, make_domain);
+        follow_spacing(scene, make_domain);
     else
         make_domain();
     if (scene.hull) {

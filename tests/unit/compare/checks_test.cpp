@@ -30,7 +30,7 @@ TEST(Checks, ACertificateLineIsACheckOfItsRun) {
     EXPECT_EQ(console.find("Mach number"), std::string::npos) << "met";
 }
 
-TEST(Checks, LostParticlesFailTheirGate) {
+TEST(Checks, LostParticlesFailTheirCheck) {
     RunRecord leaky = synthetic_run(sph);
     leaky.table("samples").column("particles_lost", "-").values[3] = 2;
     bool failed = false;
