@@ -80,6 +80,7 @@ TEST_F(Submit, ADryRunWritesTheScriptsAndSubmitsNothing) {
     for (const char* script : {"sph_1.sbatch", "report.sbatch"})
         EXPECT_EQ(std::system(("bash -n '" + (folder_ / "out/study" / script).string() + "'").c_str()), 0);
     // Where Slurm is there, its own opinion is shown and nothing is submitted either.
+    stub("scontrol", "echo 'Slurmctld(primary) at head is UP'");
     stub("sbatch", "echo 'sbatch: Job 5 to start at 2027-01-01'");
     const Outcome asked = submit({"--dry-run"});
     EXPECT_TRUE(has(asked.out, "sph_1: sbatch: Job 5 to start at 2027-01-01")) << asked.out;
