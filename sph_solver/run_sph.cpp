@@ -125,9 +125,9 @@ private:
             SphSetup setup = sph_setup(scene_, threads_, ranks_);
             // the same pair loops as before, and on all ranks: others may give other last digits
             const std::string isa = ranks_.broadcast_from(0, earlier_         ? earlier_->checkpoint.isa
-                                                      : on_gpu_        ? passes_beside_gpu().isa
-                                                      : ranks_.first() ? choose_passes().isa
-                                                                       : "");
+                                                             : on_gpu_        ? passes_beside_gpu().isa
+                                                             : ranks_.first() ? choose_passes().isa
+                                                                              : "");
             const Passes* of_all = nullptr;
             ranks_.together([&] { of_all = &passes(isa.c_str()); });
             simulation_.emplace(setup.simulation, setup.fluid, *of_all);

@@ -205,7 +205,8 @@ std::string announcement(const PlannedRun& plan, const std::string& budget, cons
                        out.string());
 }
 
-/// The coarser runs, the twins without wave or bodies, then each method's own run. Nothing: stopped on request, which is said.
+/// The coarser runs, the twins without wave or bodies, then each method's own run. Nothing: stopped on request, which is
+/// said.
 std::optional<Made> make_all(const PlannedRun& plan, const Common& common, const fs::path& out,
                              const std::vector<CampaignRun>& empty, Twins* twins, Campaign& campaign) {
     Made made;

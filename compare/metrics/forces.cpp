@@ -292,10 +292,9 @@ void add_total_drag(Comparison& comparison, const CompareOptions& options) {
     const Quantity* drag = comparison.find("drag");
     if (!drag) return;
     const std::string unit = drag->unit;
-    const Quantity line =
-        quantity(comparison, "friction_line", "Friction by a line", unit,
-                 "friction of a flat plate (ITTC 1957) on the wetted area that the method finds",
-                 [&](const RunRecord& r) { return friction_by_line(r, options); });
+    const Quantity line = quantity(comparison, "friction_line", "Friction by a line", unit,
+                                   "friction of a flat plate (ITTC 1957) on the wetted area that the method finds",
+                                   [&](const RunRecord& r) { return friction_by_line(r, options); });
     if (!any_known(line)) return;
     Quantity q = new_quantity("total_drag", "Total drag", unit,
                               "drag by pressure and friction; the friction is solved, or that of a flat plate (ITTC "

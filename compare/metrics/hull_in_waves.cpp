@@ -39,8 +39,8 @@ MeanValue phase_of(const RunRecord& r, const HullTable& hull, const char* column
     std::complex<double> all = 0;
     for (int n = 0; n < periods.count; ++n) {
         const double from = periods.from + n * periods.period;
-        const WaveSamples s = samples_between(hull.table->time, from, from + periods.period,
-                                              [&](std::size_t i) { return c->values[i]; });
+        const WaveSamples s =
+            samples_between(hull.table->time, from, from + periods.period, [&](std::size_t i) { return c->values[i]; });
         if (static_cast<int>(s.t.size()) < fewest_in_a_period) continue;
         found.push_back(first_harmonic(s.t, s.x, 2 * pi / periods.period) * std::polar(1.0, -k * hull.centre_x));
         all += found.back();
@@ -87,7 +87,8 @@ void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods) {
     if (std::ranges::none_of(hulls, [](const auto& h) { return h.has_value(); })) return;
     const auto add = [&](const char* name, const char* label, const char* unit, const std::string& definition,
                          double scale, auto&& of) {
-        Quantity q = new_quantity(name, label, unit, fmt::format("{}, mean over {} whole periods", definition, periods.count));
+        Quantity q =
+            new_quantity(name, label, unit, fmt::format("{}, mean over {} whole periods", definition, periods.count));
         q.scale = scale;
         for (std::size_t i = 0; i < hulls.size(); ++i)
             q.values.push_back(hulls[i] ? of(comparison.sources[i], *hulls[i]) : unknown_value(not_given));
@@ -96,8 +97,9 @@ void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods) {
         comparison.quantities.push_back(std::move(q));
     };
     const std::string before = "by how much its first harmonic is before the theory's crest at the centre of mass",
-                      highest = fmt::format("highest upward acceleration in each period, over a fortieth of it ({:.3g} s)",
-                                            periods.period / 40);
+                      highest =
+                          fmt::format("highest upward acceleration in each period, over a fortieth of it ({:.3g} s)",
+                                      periods.period / 40);
     if (comparison.find("heave_response:hull"))
         add("heave_phase:hull", "Phase of the hull's heave", "deg", before, 180,
             [&](const RunRecord& r, const HullTable& h) { return phase_of(r, h, "z", periods); });

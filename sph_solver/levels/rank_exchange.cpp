@@ -168,8 +168,8 @@ void RankShare::fail_together(const Failing& failing) const {
         own, +[](Rank& all, const Rank& other) {
             if (std::pair(other.order, other.rank) < std::pair(all.order, all.rank)) all = other;
         });
-    throw RunError(
-        ranks().broadcast_from(speaks.rank, failing.at ? level_.text_of_failure(*failing.at, failing.what) : std::string()));
+    throw RunError(ranks().broadcast_from(
+        speaks.rank, failing.at ? level_.text_of_failure(*failing.at, failing.what) : std::string()));
 }
 
 void RankShare::fail_through_wall(std::optional<std::size_t> through) const {

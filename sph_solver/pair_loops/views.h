@@ -23,7 +23,7 @@ struct WaterView {
     /// of them are and do.
     const Kind* kind = nullptr;
     Kernel kernel{};
-    float unit = 1;  ///< a fixed-point unit [m]
+    float unit = 1;      ///< a fixed-point unit [m]
     float rho0 = 1000;   ///< [kg/m3]
     float inv_mass = 1;  ///< of a particle [1/kg]
     bool two_dimensional = false;
@@ -31,9 +31,9 @@ struct WaterView {
 
 /// The walls' dummy particles, in an index space of their own.
 struct WallView {
-    Lists list{};                        ///< Cluster::wall_list
-    const PackedPlace* place = nullptr;  ///< null: the pair loop meets none
-    const float* p = nullptr;            ///< pressure of the dummies [Pa]
+    Lists list{};                            ///< Cluster::wall_list
+    const PackedPlace* place = nullptr;      ///< null: the pair loop meets none
+    const float* p = nullptr;                ///< pressure of the dummies [Pa]
     const WallVelocity* velocity = nullptr;  ///< null: all walls are at rest
     /// Body b has the dummies [body_end[b - 1], body_end[b]), the first one from 0; null where there is one body. A
     /// cluster's wall blocks are ordered by body, none has dummies of two.

@@ -151,7 +151,7 @@ private:
     Eigen::VectorXd u_, v_;              ///< of all degrees of freedom
     Eigen::VectorXd accelerations_;      ///< relaxed, three for each node
     Eigen::VectorXd last_acceleration_;  ///< of all degrees of freedom, over the last step
-    DofSums force_, impulses_;       ///< that wait for `move`, of all degrees of freedom
+    DofSums force_, impulses_;           ///< that wait for `move`, of all degrees of freedom
     ExactSum power_;                     ///< of the forces in force_, with the velocities that the water felt [W]
     double power_before_ = 0;            ///< of the forces before, with the same velocities [W]
     std::vector<double> relaxation_;     ///< theta of each node

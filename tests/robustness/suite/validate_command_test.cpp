@@ -195,7 +195,8 @@ TEST_F(ValidateCommand, AWrongSceneOrQuantityIsNamedAndTheOthersAreRun) {
               "[[case.quantity]]\nname = \"pressure_mean:flor\"\nunit = \"Pa\"\ntruth = 1\nsource = \"s\"\ngoal = 1\n");
     const Outcome o = twinwake({"validate", "my", "--out", "out"});
     EXPECT_EQ(o.status, 3) << o.err;
-    EXPECT_TRUE(says(o, "none: my/suite.toml:28:9: [[case]] scene = \"none.toml\": my/none.toml: cannot be read")) << o.err;
+    EXPECT_TRUE(says(o, "none: my/suite.toml:28:9: [[case]] scene = \"none.toml\": my/none.toml: cannot be read"))
+        << o.err;
     EXPECT_TRUE(report()["cases"][0]["quantities"][0]["values"][0]["value"].is_number());
     const nlohmann::json odd = report()["cases"][3]["quantities"][0]["values"][0];
     EXPECT_EQ(odd["outcome"], "failed");

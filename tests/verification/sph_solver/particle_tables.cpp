@@ -17,8 +17,9 @@ namespace {
 
 /// A hundred swings of water across both edges of a zone.
 void swings() {
-    std::printf("vortices/U   mass of the zone [%%]: last swing's mean, largest mean, at an instant at most   mean "
-                "velocity off by [U]   births\n");
+    std::printf(
+        "vortices/U   mass of the zone [%%]: last swing's mean, largest mean, at an instant at most   mean "
+        "velocity off by [U]   births\n");
     for (const double vortices : {0.1, 0.3}) {
         const levels_test::Swing r = levels_test::swing(100, vortices);
         std::printf("%8.1f   %+.2f  %.2f  %.2f   %.3f   %ld\n", vortices, 100 * r.mean_drift, 100 * r.largest_mean,
