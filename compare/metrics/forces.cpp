@@ -229,6 +229,16 @@ void add_sph_measures(Comparison& comparison, const CompareOptions& options, con
                         }));
 }
 
+/// A creep that would not count in the drag is no transient that has to be cut off, though it is seen in a series as
+/// smooth as this.
+MeanValue friction_by_line(const RunRecord& r, const CompareOptions& options) {
+    const MeanValue alone = mean_of(r, "samples", "friction_line", options, HUGE_VAL);
+    if (alone.known) return alone;
+    const MeanValue drag = mean_of(r, "forces", "fx", options);
+    if (!drag.known) return alone;
+    return mean_of(r, "samples", "friction_line", options, options.largest_error * std::abs(drag.value));
+}
+
 }  // namespace
 
 void add_forces(Comparison& comparison, const CompareOptions& options) {
@@ -275,18 +285,6 @@ void add_forces(Comparison& comparison, const CompareOptions& options) {
     add_parts(comparison, options, called, !stream || friction.pressure_alone, per_span);
     add_sph_measures(comparison, options, called, "N" + per_span);
 }
-
-namespace {
-/// A creep that would not count in the drag is no transient that has to be cut off, though it is seen in a series as
-/// smooth as this.
-MeanValue friction_by_line(const RunRecord& r, const CompareOptions& options) {
-    const MeanValue alone = mean_of(r, "samples", "friction_line", options, HUGE_VAL);
-    if (alone.known) return alone;
-    const MeanValue drag = mean_of(r, "forces", "fx", options);
-    if (!drag.known) return alone;
-    return mean_of(r, "samples", "friction_line", options, options.largest_error * std::abs(drag.value));
-}
-}  // namespace
 
 void add_total_drag(Comparison& comparison, const CompareOptions& options) {
     const Quantity* drag = comparison.find("drag");

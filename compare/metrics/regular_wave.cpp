@@ -146,6 +146,17 @@ double mean_level(std::span<const double> t, std::span<const double> values, dou
     return fit_harmonics(t, values, omega)(0);
 }
 
+MeanValue mean_lead(const PeriodHarmonics& harmonics, double k_x, const WavePeriods& periods) {
+    std::complex<double> all = 0;
+    for (const auto& one : harmonics) all += one.value_or(0);
+    if (std::abs(all) == 0) return unknown_value("it does not oscillate");
+    all *= std::polar(1.0, -k_x);
+    std::vector<double> leads;
+    for (const auto& one : harmonics)
+        if (one) leads.push_back(-180 / pi * (std::arg(all) + std::arg(*one * std::polar(1.0, -k_x) / all)));
+    return mean_over(leads, periods);
+}
+
 MeanValue mean_in_periods(const RunRecord& r, const std::string& table, const std::string& column,
                           const WavePeriods& periods) {
     const Column* c = r.series(table, column);

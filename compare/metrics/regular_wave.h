@@ -1,6 +1,9 @@
 #pragma once
 #include <complex>
+#include <numbers>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "compare/compare.h"
 #include "compare/metrics/wave_samples.h"
@@ -44,6 +47,24 @@ void add_added_by_waves(Comparison& comparison, const CompareOptions& options);
 
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);
+/// First harmonic A exp(-i omega t) of a series in each period [unit of the series]; none where it has too few samples.
+using PeriodHarmonics = std::vector<std::optional<std::complex<double>>>;
+template <class OfRow>
+PeriodHarmonics harmonics_of_periods(const std::vector<double>& time, const WavePeriods& periods, OfRow of_row) {
+    PeriodHarmonics found;
+    for (int n = 0; n < periods.count; ++n) {
+        const double from = periods.from + n * periods.period;
+        const WaveSamples s = samples_between(time, from, from + periods.period, of_row);
+        found.emplace_back();
+        if (static_cast<int>(s.t.size()) >= fewest_in_a_period)
+            found.back() = first_harmonic(s.t, s.x, 2 * std::numbers::pi / periods.period);
+    }
+    return found;
+}
+/// By how much they are before a crest of the theory that passes x at k x / omega [deg]: the mean of -arg(A exp(-i k x)),
+/// each taken round that of the sum. `k_x`: k x [rad].
+MeanValue mean_lead(const PeriodHarmonics& harmonics, double k_x, const WavePeriods& periods);
+
 /// Mean of a column over whole periods, of each of which a mean and three harmonics are fitted.
 MeanValue mean_in_periods(const RunRecord& record, const std::string& table, const std::string& column,
                           const WavePeriods& periods);

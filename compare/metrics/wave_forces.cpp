@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <complex>
-#include <numbers>
-#include <optional>
+#include <cmath>
 
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/regular_wave.h"
@@ -11,31 +9,20 @@
 namespace tw {
 namespace {
 
-using std::numbers::pi;
-
 /// Of one component in one record.
 struct Force {
     MeanValue amplitude, phase, mean;
 };
 
-Force force_in(const Table& table, const std::string& column, const WavePeriods& periods) {
-    std::vector<std::complex<double>> found;
-    std::vector<double> amplitudes, means;
-    const Column& force = *table.find(column);
-    for (int n = 0; n < periods.count; ++n) {
-        const double from = periods.from + n * periods.period;
-        const WaveSamples s =
-            samples_between(table.time, from, from + periods.period, [&](std::size_t i) { return force.values[i]; });
-        if (static_cast<int>(s.t.size()) < fewest_in_a_period) continue;
-        found.push_back(first_harmonic(s.t, s.x, 2 * pi / periods.period));
-        amplitudes.push_back(std::abs(found.back()));
-        means.push_back(mean_level(s.t, s.x, 2 * pi / periods.period));
-    }
-    std::complex<double> all = 0;
-    for (const auto& one : found) all += one;
-    std::vector<double> phases;  // round that of the mean
-    for (const auto& one : found) phases.push_back(-180 / pi * (std::arg(all) + std::arg(one / all)));
-    return {mean_over(amplitudes, periods), mean_over(phases, periods), mean_over(means, periods)};
+Force force_in(const RunRecord& r, const std::string& column, const WavePeriods& periods) {
+    const Column& force = *r.series("forces", column);
+    const PeriodHarmonics found =
+        harmonics_of_periods(r.tables.at("forces").time, periods, [&](std::size_t i) { return force.values[i]; });
+    std::vector<double> amplitudes;
+    for (const auto& one : found)
+        if (one) amplitudes.push_back(std::abs(*one));
+    return {mean_over(amplitudes, periods), mean_lead(found, 0, periods),
+            mean_in_periods(r, "forces", column, periods)};
 }
 
 }  // namespace
@@ -59,10 +46,8 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
                                       "lead over the theory's crest at x = 0; " + over),
                  mean = new_quantity("wave_drift_" + axis, "Mean wave force " + way, unit, "mean over whole periods");
         for (const RunRecord& r : comparison.sources) {
-            const auto table = r.tables.find("forces");
             Force force{unknown_value(not_given), unknown_value(not_given), unknown_value(not_given)};
-            if (table != r.tables.end() && table->second.find("f" + axis))
-                force = force_in(table->second, "f" + axis, periods);
+            if (r.series("forces", "f" + axis)) force = force_in(r, "f" + axis, periods);
             if (force.amplitude.known) largest = std::max(largest, force.amplitude.value);
             amplitude.values.push_back(force.amplitude);
             phase.values.push_back(force.phase);

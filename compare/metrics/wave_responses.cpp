@@ -23,13 +23,8 @@ using Amplitudes = std::vector<std::optional<double>>;
 template <class OfRow>
 Amplitudes amplitudes_of(const std::vector<double>& time, const WavePeriods& periods, OfRow of_row) {
     Amplitudes found;
-    for (int k = 0; k < periods.count; ++k) {
-        const double from = periods.from + k * periods.period;
-        const WaveSamples s = samples_between(time, from, from + periods.period, of_row);
-        found.emplace_back();
-        if (static_cast<int>(s.t.size()) >= fewest_in_a_period)
-            found.back() = std::abs(first_harmonic(s.t, s.x, 2 * pi / periods.period));
-    }
+    for (const auto& one : harmonics_of_periods(time, periods, of_row))
+        found.push_back(one ? std::optional(std::abs(*one)) : std::nullopt);
     return found;
 }
 

@@ -79,11 +79,15 @@ inline std::set<std::string> gauges_of(const Comparison& comparison) {
 
 inline constexpr int fewest_in_a_period = 14;  ///< samples, for a mean and three harmonics
 
-/// The last whole periods within the time that all records cover [s].
+/// The last whole periods of a time, of the records the time that all cover.
 struct WavePeriods {
     double from = 0, period = 0;  ///< [s]
     int count = 0;
 };
+inline WavePeriods last_periods(double from, double to, double period) {
+    const int count = whole_periods(from, to, period);
+    return {.from = to - count * period, .period = period, .count = count};
+}
 inline WavePeriods wave_periods(const Comparison& c) {
     WavePeriods p;
     const auto [from, to] = common_time(c, [](const std::string& table) {
@@ -91,18 +95,13 @@ inline WavePeriods wave_periods(const Comparison& c) {
     });
     for (const RunRecord& r : c.sources) p.period = std::max(p.period, number_of(r, "wave_period", 0));
     if (!(p.period > 0) || !std::isfinite(to)) return p;
-    p.count = whole_periods(from, to, p.period);
-    p.from = to - p.count * p.period;
-    return p;
+    return last_periods(from, to, p.period);
 }
 
 /// The last whole periods of one series from a time on.
 inline WavePeriods periods_of(const std::vector<double>& time, double from, double period) {
-    WavePeriods p{.period = period};
-    if (time.empty() || !(period > 0)) return p;
-    p.count = whole_periods(std::max(from, time.front()), time.back(), period);
-    p.from = time.back() - p.count * period;
-    return p;
+    if (time.empty() || !(period > 0)) return {.period = period};
+    return last_periods(std::max(from, time.front()), time.back(), period);
 }
 
 /// Mean of one value a period; unknown where fewer than three whole periods tell it.
