@@ -9,8 +9,11 @@
 //   VTK_SMP_BACKEND_IN_USE
 //                   Sequential: untrusted files are read in a child process, and the address sanitizer's allocator
 //                   (GCC 12) may stay locked for ever in the child of a process that has other threads.
+//   LP_NUM_THREADS, MESA_SHADER_CACHE_DISABLE
+//                   0 and true: Mesa's software driver draws in the caller's thread and writes no cache of shaders
+//                   behind its back, whose threads would still be at work when the program ends.
 //
-// Programs that a test starts inherit all four.
+// Programs that a test starts inherit them all.
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -43,6 +46,8 @@ int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     setenv("TWINWAKE_ISA", pinned_variant(), 0);
     setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
+    setenv("LP_NUM_THREADS", "0", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     const fs::path folder = new_folder();
     setenv("TMPDIR", folder.c_str(), 1);
     setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
