@@ -169,7 +169,7 @@ void run_options(CLI::App& c, RunCommand& run) {
     CLI::Option* resume =
         c.add_flag("--resume", run.resume, "continue from the last saved state; only if scene and numerics match");
     c.add_flag("--overwrite", run.overwrite, "run anew in a folder that has a run")->excludes(resume);
-    c.add_flag("!--no-twins", run.twins,
+    c.add_flag("!--no-twins", run.coarser_members,
                "leave out the coarser members of the grid triplet (1.4142 and 2 times the sizes, and one run in a "
                "wider box): then the discretisation error is not known, and there is no verdict");
     add_require_agree(c, run.require_agree,
@@ -194,7 +194,7 @@ void compare_options(CLI::App& c, CompareCommand& compare) {
         ->required()
         ->expected(1, 64);
     c.add_option("--out", compare.out, "folder for report.html, report.json, CSV and figures");
-    c.add_flag("--ladder", compare.ladder,
+    c.add_flag("--ladder", compare.grid_study,
                "the records are runs of one scene at several sizes: verdicts that include the discretisation error");
     c.add_option("--measured", compare.measured,
                  "with --ladder: a measurement, as written by twinwake import; can be given again")
@@ -205,33 +205,33 @@ void compare_options(CLI::App& c, CompareCommand& compare) {
         "agree: exit status 4 unless every quantity agrees; needs --ladder, since runs of one size have no verdict");
 }
 
-void ladder_options(CLI::App& c, LadderCommand& ladder) {
-    add_scene(c, ladder.scene);
-    add_method(c, ladder.method);
-    c.add_option("--levels", ladder.levels, "number of sizes (4): the scene's own and coarser ones")
+void grid_study_options(CLI::App& c, LadderCommand& grid_study) {
+    add_scene(c, grid_study.scene);
+    add_method(c, grid_study.method);
+    c.add_option("--levels", grid_study.levels, "number of sizes (4): the scene's own and coarser ones")
         ->check(CLI::Range(1, 8));
-    c.add_option("--ratio", ladder.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
+    c.add_option("--ratio", grid_study.ratio, "of neighbouring spacings (1.4142)")->check(CLI::Range(1.05, 4.0));
     c.add_flag(
-        "!--no-variations", ladder.variations,
+        "!--no-variations", grid_study.variations,
         "leave out the runs with sound speed x 1.5, half the time step, half the Courant number and a wider box");
-    c.add_flag("--surface", ladder.surface,
+    c.add_flag("--surface", grid_study.surface,
                "one more run with interIsoFoam's geometric surface, where no body moves: the whole change enters the "
                "interval");
     c.add_flag(
-        "!--no-fill", ladder.fill,
+        "!--no-fill", grid_study.fill,
         "leave out the sizes between the coarse ones, which distinguish scatter from a trend and narrow the interval");
-    c.add_option("--measured", ladder.measured,
+    c.add_option("--measured", grid_study.measured,
                  "a measurement, as written by twinwake import: each method's finest value is compared with it; can be "
                  "given again")
         ->allow_extra_args(false);
-    c.add_option("--budget", ladder.budget,
+    c.add_option("--budget", grid_study.budget,
                  "predicted time of all runs, e.g. 2h: runs that do not fit are left out and listed")
         ->type_name("TIME");
-    c.add_flag("--plan", ladder.plan, "list the runs and their predicted time, and run nothing");
-    add_report_every(c, ladder.making);
-    add_rerun(c, ladder.overwrite);
-    c.add_option("--out", ladder.out, "folder of the results (runs/<name of the scene file>_ladder)");
-    add_threads(c, ladder.threads);
+    c.add_flag("--plan", grid_study.plan, "list the runs and their predicted time, and run nothing");
+    add_report_every(c, grid_study.making);
+    add_rerun(c, grid_study.overwrite);
+    c.add_option("--out", grid_study.out, "folder of the results (runs/<name of the scene file>_ladder)");
+    add_threads(c, grid_study.threads);
 }
 
 void sweep_options(CLI::App& c, SweepCommand& sweep) {
@@ -244,7 +244,7 @@ void sweep_options(CLI::App& c, SweepCommand& sweep) {
     c.add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");
     add_effect(c, sweep.scene);
     add_method(c, sweep.method);
-    c.add_option("--twins", sweep.twins,
+    c.add_option("--twins", sweep.coarser_members,
                  "which scenes are also run at two coarser sizes for their discretisation error: first (its relative "
                  "error is taken "
                  "for all others), all, none")

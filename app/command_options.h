@@ -12,7 +12,7 @@ void check_options(CLI::App& c, CheckCommand& check);
 void reference_options(CLI::App& c, ReferenceCommand& reference);
 void run_options(CLI::App& c, RunCommand& run);
 void compare_options(CLI::App& c, CompareCommand& compare);
-void ladder_options(CLI::App& c, LadderCommand& ladder);
+void grid_study_options(CLI::App& c, LadderCommand& grid_study);
 void sweep_options(CLI::App& c, SweepCommand& sweep);
 void ablate_options(CLI::App& c, AblateCommand& ablate);
 void validate_options(CLI::App& c, ValidateCommand& validate);

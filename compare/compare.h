@@ -50,7 +50,8 @@ struct Difference {
     std::string remark = {};
     std::string sentence = {};  ///< the verdict to be forwarded, where runs of several sizes gave one
     std::string finding = {};   ///< the same without the quantity and the verdict, to stand beside them
-    double seconds_to_target = std::numeric_limits<double>::quiet_NaN();  ///< of further runs, see ladder/ladder.h [s]
+    double seconds_to_target =
+        std::numeric_limits<double>::quiet_NaN();  ///< of further runs, see grid_study/grid_study.h [s]
 };
 
 /// One compared number. Its own difference is that of the only two sources, or of the pair that lies farthest apart in
@@ -63,12 +64,13 @@ struct Quantity : Difference {
     std::vector<MeanValue> values;  ///< one per source
     std::vector<Difference> pairs;  ///< of more than two sources: every pair of them, in their order
     std::string caveat;             ///< what the difference contains besides that of the methods
-    bool judged = true;             ///< raw maxima are shown beside, and no ladder judges them
+    bool judged = true;             ///< raw maxima are shown beside, and no grid study judges them
     /// Not judged, since what makes it is smaller than the runs resolve: "not resolved: the jet is 0.4 of ..."; empty:
     /// it is resolved.
     std::string not_resolved = {};
-    /// Judged by a ladder all the same: a history's mean has no interval of its own, but its resolution gives it one.
-    bool judged_in_ladder = false;
+    /// Judged by a grid study all the same: a history's mean has no interval of its own, but its resolution gives it
+    /// one.
+    bool judged_in_grid_study = false;
     double scale = 0;  ///< |values| the target refers to are at least this [unit]
 
     /// Every pair, or the only difference there is.

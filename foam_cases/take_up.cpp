@@ -11,7 +11,7 @@ void take_up(RunRecord earlier, RunRecord& record) {
     record.tables = std::move(earlier.tables);
     record.frames = std::move(earlier.frames);
     record.phases = std::move(earlier.phases);
-    record.certificate = std::move(earlier.certificate);
+    record.validity_checks = std::move(earlier.validity_checks);
     record.peak_memory = earlier.peak_memory;
     record.elements = earlier.elements;
     if (!earlier.hull_pressure.empty()) {  // of the last write time, until the next one is read

@@ -100,7 +100,7 @@ void check_values(const std::string& file, const RunRecord& record) {
             for (const double x : corner) check.finite("resolution/box", x);
     }
     for (const EffectChoice& effect : record.effects) check.finite("effects/" + effect.name + "/cost", effect.cost);
-    for (const CertificateLine& line : record.certificate) {
+    for (const RecordedCheck& line : record.validity_checks) {
         const std::string key = "certificate/" + line.name;
         check.finite(key + "/limit", line.limit);
         if (record.state == "failed") continue;

@@ -10,7 +10,7 @@ namespace tw {
 /// expected.
 ///
 /// NaN in a series' column or in the hull's pressure means "not known" and stays. In the record of a failed run a
-/// certificate line may hold any value: that is what the run failed of.
+/// validity checks line may hold any value: that is what the run failed of.
 void check_values(const std::string& file, const RunRecord& record);
 
 }  // namespace tw

@@ -173,9 +173,9 @@ void read_effects(hid_t file, RunRecord& record) {
     read_bounds(group, record);
 }
 
-void read_certificate(hid_t file, RunRecord& record) {
-    if (!h5::has(file, layout::certificate)) return;  // records had none at first
-    const h5::Handle group = h5::open_group(file, layout::certificate);
+void read_validity_checks(hid_t file, RunRecord& record) {
+    if (!h5::has(file, layout::validity_checks)) return;  // records had none at first
+    const h5::Handle group = h5::open_group(file, layout::validity_checks);
     const auto name = h5::read_texts(group, "name"), unit = h5::read_texts(group, "unit");
     const auto column = [&](const char* which) { return h5::read_vector<double>(group, which, H5T_NATIVE_DOUBLE); };
     const auto value = column("value"), limit = column("limit"), time = column("time"), x = column("x"),
@@ -184,7 +184,7 @@ void read_certificate(hid_t file, RunRecord& record) {
     for (const std::size_t size : {unit.size(), value.size(), limit.size(), time.size(), x.size(), y.size(), z.size()})
         if (size != n) throw h5::Failure{"the columns of certificate differ in length"};
     for (std::size_t i = 0; i < n; ++i)
-        record.certificate.push_back({name[i], unit[i], value[i], limit[i], time[i], {x[i], y[i], z[i]}});
+        record.validity_checks.push_back({name[i], unit[i], value[i], limit[i], time[i], {x[i], y[i], z[i]}});
 }
 
 void read_resolution(hid_t file, RunRecord& record) {
@@ -217,7 +217,7 @@ RunRecord read_contents(hid_t file) {
     read_bodies(file, record);
     read_cost(file, record);
     read_effects(file, record);
-    read_certificate(file, record);
+    read_validity_checks(file, record);
     read_resolution(file, record);
     return record;
 }

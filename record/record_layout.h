@@ -17,7 +17,7 @@ inline constexpr const char* bodies = "bodies";
 inline constexpr const char* cost = "cost";
 inline constexpr const char* effects = "effects";
 inline constexpr const char* bounds = "bounds";  ///< in effects
-inline constexpr const char* certificate = "certificate";
+inline constexpr const char* validity_checks = "certificate";
 inline constexpr const char* resolution = "resolution";
 
 }  // namespace tw::layout

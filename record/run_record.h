@@ -28,7 +28,7 @@ struct Phase {                 ///< where the time went
 
 /// One validity check of a run (certificate): the largest value of something that has to stay below a limit, when and
 /// where.
-struct CertificateLine {
+struct RecordedCheck {
     std::string name, unit;
     double value = 0, limit = 0;                                            ///< [unit]
     double time = 0;                                                        ///< [s]
@@ -94,7 +94,7 @@ struct RunRecord {
     double peak_memory = 0;          ///< [bytes]
     double elements = 0, steps = 0;  ///< particles or cells [-]; time steps
     std::vector<EffectChoice> effects;
-    std::vector<CertificateLine> certificate;  ///< of the whole run, begun and resumed; empty in older records
+    std::vector<RecordedCheck> validity_checks;  ///< of the whole run, begun and resumed; empty in older records
     /// The domain with its largest size, and where the run was finer at its end; empty where it is not known.
     std::vector<ResolvedBox> resolution;
 

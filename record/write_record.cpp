@@ -159,11 +159,11 @@ void write_effects(hid_t file, const RunRecord& record) {
     write_bounds(group, record);
 }
 
-void write_certificate(hid_t file, const RunRecord& record) {
-    const h5::Handle group = h5::create_group(file, layout::certificate);
+void write_validity_checks(hid_t file, const RunRecord& record) {
+    const h5::Handle group = h5::create_group(file, layout::validity_checks);
     std::vector<std::string> name, unit;
     std::vector<double> value, limit, time, x, y, z;
-    for (const CertificateLine& l : record.certificate) {
+    for (const RecordedCheck& l : record.validity_checks) {
         name.push_back(l.name), unit.push_back(l.unit);
         value.push_back(l.value), limit.push_back(l.limit), time.push_back(l.time);
         x.push_back(l.place.x()), y.push_back(l.place.y()), z.push_back(l.place.z());
@@ -210,7 +210,7 @@ std::string record_bytes(const RunRecord& record) {
     write_bodies(file, record);
     write_cost(file, record);
     write_effects(file, record);
-    write_certificate(file, record);
+    write_validity_checks(file, record);
     write_resolution(file, record);
     return h5::image(file);
 }

@@ -9,9 +9,9 @@
 
 #include "methods/methods.h"
 #include "methods/names.h"
-#include "record/certificate.h"
 #include "record/code_version.h"
 #include "record/hull_motion.h"
+#include "record/recorded_checks.h"
 #include "record/solid_at_rest.h"
 #include "record/this_machine.h"
 #include "record/wave_twin.h"

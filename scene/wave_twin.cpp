@@ -50,7 +50,7 @@ bool wants_wave_twin(const Scene& scene) {
 
 std::string left_out_of_twin(const Scene& scene) { return hull_in_stream(scene) ? "the wave" : "its bodies"; }
 
-std::string_view folder_of_twins(const Scene& scene) {
+std::string_view folder_of_coarser_members(const Scene& scene) {
     return hull_in_stream(scene) ? calm_twins_folder : empty_twins_folder;
 }
 

@@ -22,7 +22,7 @@ bool wants_wave_twin(const Scene& scene);
 /// "its bodies" or "the wave": what its twin leaves out.
 std::string left_out_of_twin(const Scene& scene);
 /// Name of the folder of its twins (record/wave_twin.h).
-std::string_view folder_of_twins(const Scene& scene);
+std::string_view folder_of_coarser_members(const Scene& scene);
 
 /// Makes the checked scene its own twin. All that has followed from bodies and wave before (times, Courant numbers, sound
 /// speed, box, effects) stays; obstacles and gauges stay too. Throws InputError: a gauge has the name of one that is put in.

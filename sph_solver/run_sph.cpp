@@ -172,7 +172,7 @@ private:
         fresh.phases = std::move(earlier_->record.phases);
         if (!ranks_.first())  // the first one has them for all
             for (Phase& phase : fresh.phases) phase.cpu = 0;
-        fresh.certificate = std::move(earlier_->record.certificate);
+        fresh.validity_checks = std::move(earlier_->record.validity_checks);
         fresh.attributes["resumed_at"] = fmt::format("{}", earlier_->checkpoint.levels.front().state.time);
         if (const std::string before = earlier_->record.attributes["code_version"];
             before != fresh.attributes["code_version"])

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/exact_sum.h"
 #include "meshes/generate.h"
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 #include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/simulation.h"
 
@@ -237,7 +237,7 @@ HardCaseRun run_hard_case(const HardCase& c, const std::function<bool(double)>& 
             note_worst(record, {"pressure error", "%", 100 * pressure_error(simulation), 5, run.time});
         }
     } catch (const RunError& e) { run.failure = e.what(); }
-    run.lines = std::move(record.certificate);
+    run.lines = std::move(record.validity_checks);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return run;
 }

@@ -42,7 +42,7 @@ struct HardCaseRun {
     ///   energy made            impact: largest growth over the kinetic energy at the start; tank: over the potential energy
     ///   motion of still water  tank: kinetic energy at the end over rho g H V
     ///   pressure error         tank: root mean square of (p - rho g depth) at the end, over rho g H
-    std::vector<CertificateLine> lines;
+    std::vector<RecordedCheck> lines;
     std::string failure;   ///< what the engine said when it stopped; empty: it came to the end
     bool stopped = false;  ///< at the caller's wish, before the end
     double time = 0, steps = 0, particles = 0, seconds = 0;

@@ -74,7 +74,7 @@ StabilityJudgement judge_stability(const HardCase& c, const HardCaseRun& run) {
         beyond(Stability::failed, "", "nothing was run");
     double nearest = -1;
     for (const StabilityLimit& limit : stability_limits()) {
-        const auto line = std::ranges::find(run.lines, limit.line, &CertificateLine::name);
+        const auto line = std::ranges::find(run.lines, limit.line, &RecordedCheck::name);
         if (line == run.lines.end()) continue;
         const double value = line->value;
         if (!(value <= limit.warned)) {

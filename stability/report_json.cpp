@@ -14,13 +14,14 @@ Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
 
 Json cell_json(const MapCell& cell) {
     const HardCase& c = cell.c;
-    Json certificate = Json::array();
-    for (const CertificateLine& line : cell.run.lines)
-        certificate.push_back({{"name", line.name},
-                               {"unit", line.unit},
-                               {"value", number(line.value)},
-                               {"time", number(line.time)},
-                               {"place", {number(line.place.x()), number(line.place.y()), number(line.place.z())}}});
+    Json validity_checks = Json::array();
+    for (const RecordedCheck& line : cell.run.lines)
+        validity_checks.push_back(
+            {{"name", line.name},
+             {"unit", line.unit},
+             {"value", number(line.value)},
+             {"time", number(line.time)},
+             {"place", {number(line.place.x()), number(line.place.y()), number(line.place.z())}}});
     return {{"case", to_string(c.kind)},
             {"speed", c.speed},
             {"deadrise_deg", c.deadrise_deg},
@@ -37,7 +38,7 @@ Json cell_json(const MapCell& cell) {
             {"time", cell.run.time},
             {"duration", c.duration()},
             {"seconds", cell.run.seconds},
-            {"certificate", certificate}};
+            {"certificate", validity_checks}};
 }
 
 }  // namespace

@@ -42,10 +42,11 @@ std::vector<Part> parts_of(const RunRecord& r) {
     }
     parts.push_back(std::move(raster));
     parts.push_back({"hull", {column_of("pressure", r.hull_pressure), column_of("wet", r.hull_wet)}});
-    Part certificate{"certificate", {}};
-    for (const CertificateLine& l : r.certificate)
-        certificate.columns.push_back({l.name, "", {l.value, l.limit, l.time, l.place.x(), l.place.y(), l.place.z()}});
-    parts.push_back(std::move(certificate));
+    Part validity_checks{"certificate", {}};
+    for (const RecordedCheck& l : r.validity_checks)
+        validity_checks.columns.push_back(
+            {l.name, "", {l.value, l.limit, l.time, l.place.x(), l.place.y(), l.place.z()}});
+    parts.push_back(std::move(validity_checks));
     parts.push_back({"size", {column_of("elements, steps", std::vector{r.elements, r.steps})}});
     return parts;
 }

@@ -78,7 +78,7 @@ struct RunCommand {
     std::string method = "both";  ///< sph, fvm, both; empty: what the scene says
     std::filesystem::path out;    ///< empty: runs/<name of the scene file>
     bool resume = false, overwrite = false;
-    bool twins = true;           ///< also coarser runs, for the discretisation error
+    bool coarser_members = true;  ///< also coarser runs, for the discretisation error
     std::string budget;          ///< predicted time that chooses the sizes, a text with unit; empty: the scene's sizes
     bool require_agree = false;  ///< not_agreed unless every quantity agrees
     int threads = 0;
@@ -91,8 +91,8 @@ struct CompareCommand {
     std::vector<std::filesystem::path> sources;
     std::filesystem::path out;
     bool force = false, require_agree = false;
-    bool ladder = false;                          ///< the records are sizes of one scene
-    std::vector<std::filesystem::path> measured;  ///< with ladder: imported records, or their folders
+    bool grid_study = false;                      ///< the records are sizes of one scene
+    std::vector<std::filesystem::path> measured;  ///< with grid study: imported records, or their folders
 };
 int run_compare(const CompareCommand& command, const Common& common);
 
@@ -119,14 +119,14 @@ struct LadderCommand {
     int threads = 0;
     Making making;
 };
-int run_ladder(const LadderCommand& command, const Common& common);
+int run_grid_study(const LadderCommand& command, const Common& common);
 
 struct SweepCommand {
     SceneArguments scene;
     std::vector<std::filesystem::path> hulls;
     std::vector<std::string> speeds, trims;  ///< texts with units
     std::string method;                      ///< sph, fvm, both; empty: what the scene says
-    std::string twins = "first";             ///< first, all, none: which scenes run their own
+    std::string coarser_members = "first";   ///< first, all, none: which scenes run their own
     std::filesystem::path out;               ///< empty: runs/<name of the scene file>_sweep
     bool overwrite = false;
     int threads = 0;

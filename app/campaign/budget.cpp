@@ -22,12 +22,12 @@ constexpr int farthest = 4 * steps_of_two;  ///< sixteen times the scene's sizes
 double scale_at(int step) { return std::pow(2, static_cast<double>(step) / steps_of_two); }
 
 /// The family at so many times the scene's sizes; none: the scene does not allow all of its runs.
-std::optional<PaidSizes> sizes_at(LadderSizes family, double scale) {
+std::optional<PaidSizes> sizes_at(GridStudySizes family, double scale) {
     family.request.overrides.scale_resolution = scale;
-    const LadderPlan plan = plan_ladder(family, {});
+    const GridStudyPlan plan = plan_grid_study(family, {});
     if (scale > 1 && !plan.left_out.empty()) return {};
     PaidSizes sizes{scale, std::numeric_limits<double>::infinity(), 0};
-    for (const LadderJob& job : plan.jobs) {
+    for (const GridStudyJob& job : plan.jobs) {
         sizes.seconds += job.run.plan.seconds(job.run.method);
         sizes.near_hull = std::min(sizes.near_hull, job.run.plan.scene.resolution.near_hull);
     }
@@ -44,7 +44,7 @@ double budget_seconds(const std::string& budget) {
     throw InputError(fmt::format("--budget {}: expected a time above 0, e.g. 2h", budget));
 }
 
-PaidSizes sizes_for_budget(const LadderSizes& family, double budget) {
+PaidSizes sizes_for_budget(const GridStudySizes& family, double budget) {
     std::optional<PaidSizes> best = sizes_at(family, 1);
     double cheapest = best->seconds;
     const bool own_fits = cheapest <= budget;

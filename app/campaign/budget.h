@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/campaign/ladder_jobs.h"
+#include "app/campaign/grid_study_jobs.h"
 
 namespace tw::app {
 
@@ -20,7 +20,7 @@ struct PaidSizes {
 /// is the narrowest, since the sizes of a family are in fixed proportion. Scales are powers of 2^(1/8), of which one is
 /// worth a factor of up to 1.4 in time. `family`: its runs, the finest at the scene's own size. Throws InputError: the
 /// scene is wrong, or no family that it allows fits.
-PaidSizes sizes_for_budget(const LadderSizes& family, double budget);
+PaidSizes sizes_for_budget(const GridStudySizes& family, double budget);
 
 /// What an earlier call chose for this budget in this folder of results (`out`/sizes.json): a run goes on at its sizes,
 /// whatever has been learned of the machine's speed since. None: nothing was chosen there. Throws InputError: it was for

@@ -11,7 +11,7 @@
 
 namespace tw::app {
 
-/// One method's run in a folder of its own, as run, ladder, sweep and ablate need it.
+/// One method's run in a folder of its own, as run, grid study, sweep and ablate need it.
 struct CampaignRun {
     std::string name;  ///< for people: "sph", "sph at 0.02 m", "6 m/s: fvm"
     std::string method;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/arguments/output.h"
-#include "app/campaign/write_ladder.h"
+#include "app/campaign/write_grid_study.h"
 #include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "compare/verdict/left_out.h"
@@ -47,19 +47,19 @@ PlannedScene plan_scene(const SuiteScene& scene, const ValidationRules& rules, c
     const RunRequest own = request_of(scene, planned.methods, rules);
     const PlannedRun finest = plan_run(own);
     planned.near_hull = finest.scene.resolution.near_hull;
-    planned.plan = plan_ladder({.request = own,
-                                .levels = scene.levels,
-                                .ratio = scene.ratio,
-                                .variations = false,
-                                .uncertain = scene.uncertain},
-                               out);
+    planned.plan = plan_grid_study({.request = own,
+                                    .levels = scene.levels,
+                                    .ratio = scene.ratio,
+                                    .variations = false,
+                                    .uncertain = scene.uncertain},
+                                   out);
     return planned;
 }
 
 /// What the runs of one scene gave.
 struct SceneHarvest {
-    LadderHarvest harvest;
-    std::optional<Ladder> ladder;
+    GridStudyHarvest harvest;
+    std::optional<GridStudy> grid_study;
     std::map<std::string, std::string> why_failed;  ///< by method: of its own size
     std::vector<CaseCost> costs;
     std::map<std::string, std::vector<std::string>> versions;  ///< by method: of the program, as the records say
@@ -67,13 +67,13 @@ struct SceneHarvest {
 };
 
 /// The readings of a case's quantities stand beside those that every report has.
-LadderRun with_readings(const fs::path& file, RunRecord record, const PlannedCase& planned, std::size_t scene) {
+GridStudyRun with_readings(const fs::path& file, RunRecord record, const PlannedCase& planned, std::size_t scene) {
     std::vector<Quantity> read;
     for (const SuiteQuantity& q : planned.of->quantities)
         if (q.scene == scene && q.reading)
             read.push_back(quantity_of(*q.reading, q.judged.name,
                                        q.judged.label.empty() ? q.judged.name : q.judged.label, record));
-    LadderRun run = ladder_run(std::move(record));
+    GridStudyRun run = grid_study_run(std::move(record));
     run.file = file;
     for (Quantity& q : read) {
         std::erase_if(run.quantities, [&](const Quantity& other) { return other.name == q.name; });
@@ -82,7 +82,7 @@ LadderRun with_readings(const fs::path& file, RunRecord record, const PlannedCas
     return run;
 }
 
-void charge(SceneHarvest& harvest, const LadderRun& run) {
+void charge(SceneHarvest& harvest, const GridStudyRun& run) {
     auto cost = std::ranges::find(harvest.costs, run.method, &CaseCost::method);
     if (cost == harvest.costs.end()) cost = harvest.costs.insert(cost, {run.method});
     cost->core_seconds += run.core_seconds, cost->seconds += run.seconds, ++cost->runs;
@@ -91,7 +91,7 @@ void charge(SceneHarvest& harvest, const LadderRun& run) {
 /// False: stopped on request.
 bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign, SceneHarvest& harvest) {
     const PlannedScene& scene = planned.scenes[place];
-    const auto take_run = [&](const LadderJob& job, auto&& into) {
+    const auto take_run = [&](const GridStudyJob& job, auto&& into) {
         const CampaignRun& run = job.run;
         CampaignResult result;
         try {
@@ -102,7 +102,7 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
         }
         if (result.state == CampaignResult::State::stopped) return false;
         if (result.there() && job.is_wave_twin()) {
-            charge(harvest, ladder_run(std::move(*result.record)));
+            charge(harvest, grid_study_run(std::move(*result.record)));
         } else if (result.there()) {
             std::vector<std::string>& versions = harvest.versions[run.method];
             if (const std::string& version = result.record->attributes["code_version"];
@@ -110,7 +110,7 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
                 versions.push_back(version);
             std::string& date = harvest.dates[run.method];
             date = std::max(date, result.record->attributes["started"].substr(0, std::size("2026-01-31") - 1));
-            LadderRun made = with_readings(run.folder / "record.h5", std::move(*result.record), planned, place);
+            GridStudyRun made = with_readings(run.folder / "record.h5", std::move(*result.record), planned, place);
             charge(harvest, made);
             into(std::move(made));
         } else if (!job.choice && !job.is_wave_twin() &&
@@ -121,8 +121,8 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
         }
         return true;
     };
-    for (const LadderJob& job : scene.plan.jobs) {
-        const bool goes_on = take_run(job, [&](LadderRun run) {
+    for (const GridStudyJob& job : scene.plan.jobs) {
+        const bool goes_on = take_run(job, [&](GridStudyRun run) {
             if (job.choice)
                 harvest.harvest.variations.push_back(variation_of(*job.choice, std::move(run)));
             else
@@ -133,13 +133,13 @@ bool make_runs(const PlannedCase& planned, std::size_t place, Campaign& campaign
     return true;
 }
 
-const Quantity* quantity_in(const LadderRun& run, const std::string& name) {
+const Quantity* quantity_in(const GridStudyRun& run, const std::string& name) {
     const auto found = std::ranges::find(run.quantities, name, &Quantity::name);
     return found == run.quantities.end() ? nullptr : &*found;
 }
 
 /// With what the run leaves out, where that has a bound.
-void add_outer(ValidatedValue& v, const LadderValue& value, const LadderRun& run, const Quantity& of_run) {
+void add_outer(ValidatedValue& v, const GridStudyValue& value, const GridStudyRun& run, const Quantity& of_run) {
     MeanValue mean = of_run.values[0];
     mean.discretisation = value.estimate.uncertainty, mean.choices = std::hypot(value.choices, value.box);
     mean.uncertainty = std::hypot(value.own, value.box);
@@ -147,9 +147,9 @@ void add_outer(ValidatedValue& v, const LadderValue& value, const LadderRun& run
     v.outer_below = outer.below, v.outer_above = outer.above;
 }
 
-std::string unknown_quantity(const SuiteQuantity& q, const Ladder& ladder) {
+std::string unknown_quantity(const SuiteQuantity& q, const GridStudy& grid_study) {
     std::vector<std::string> known;
-    for (const LadderQuantity& l : ladder.quantities) known.push_back(l.name);
+    for (const GridStudyQuantity& l : grid_study.quantities) known.push_back(l.name);
     std::string all;
     for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
     return fmt::format("{}: the runs have no such quantity; they have: {}{}", q.place, all,
@@ -164,17 +164,17 @@ ValidatedValue value_of(const SuiteQuantity& q, const std::string& method, const
         v.version = fmt::format("{}", fmt::join(made->second, ", ")), v.date = harvest.dates.at(method);
     if (const auto failed = harvest.why_failed.find(method); failed != harvest.why_failed.end())
         return v.why_not = failed->second, v;
-    if (!harvest.ladder) return v.why_not = "no run is finished", v;
-    const Ladder& ladder = *harvest.ladder;
-    const auto side = std::ranges::find(ladder.sides, method, &LadderSide::method);
-    if (side == ladder.sides.end()) return v.why_not = "no run of this method is finished", v;
-    const auto quantity = std::ranges::find(ladder.quantities, q.judged.name, &LadderQuantity::name);
-    if (quantity == ladder.quantities.end()) return v.why_not = unknown_quantity(q, ladder), v;
+    if (!harvest.grid_study) return v.why_not = "no run is finished", v;
+    const GridStudy& grid_study = *harvest.grid_study;
+    const auto side = std::ranges::find(grid_study.sides, method, &GridStudySide::method);
+    if (side == grid_study.sides.end()) return v.why_not = "no run of this method is finished", v;
+    const auto quantity = std::ranges::find(grid_study.quantities, q.judged.name, &GridStudyQuantity::name);
+    if (quantity == grid_study.quantities.end()) return v.why_not = unknown_quantity(q, grid_study), v;
     if (quantity->unit != q.judged.unit)
         return v.why_not = fmt::format("{}: is in {} in the runs, and in {} in the suite; expected one unit", q.place,
                                        quantity->unit, q.judged.unit),
                v;
-    const LadderValue& value = quantity->values[static_cast<std::size_t>(side - ladder.sides.begin())];
+    const GridStudyValue& value = quantity->values[static_cast<std::size_t>(side - grid_study.sides.begin())];
     if (value.levels.empty() || std::abs(value.levels.front().h / near_hull - 1) > 1e-6) {
         v.why_not = "its own size gives none";
         for (const std::string& why : value.absent) v.why_not += "; " + why;
@@ -202,8 +202,8 @@ void take_measured(ValidatedQuantity& judged, const SuiteQuantity& q, const Scen
         if (!m.known) throw InputError(fmt::format("{}: {}", q.measured.string(), m.why_not));
         judged.truth.value = m.value;
     } else {
-        const Ladder held = ladder_of(harvest.harvest, {record});
-        const auto found = std::ranges::find(held.quantities, q.judged.name, &LadderQuantity::name);
+        const GridStudy held = grid_study_of(harvest.harvest, {record});
+        const auto found = std::ranges::find(held.quantities, q.judged.name, &GridStudyQuantity::name);
         if (found == held.quantities.end() || found->held.empty())
             throw InputError(fmt::format("{}: holds no {}", q.measured.string(), q.judged.name));
         judged.truth.value = found->held.back().value.value;
@@ -218,11 +218,11 @@ ValidatedQuantity judged_quantity(const SuiteQuantity& q, const PlannedScene& sc
     ValidatedQuantity judged = q.judged;
     for (const std::string& method : scene.methods)
         judged.values.push_back(value_of(q, method, harvest, scene.near_hull));
-    if (harvest.ladder && judged.label.empty())
-        for (const LadderQuantity& l : harvest.ladder->quantities)
+    if (harvest.grid_study && judged.label.empty())
+        for (const GridStudyQuantity& l : harvest.grid_study->quantities)
             if (l.name == judged.name) judged.label = l.label;
     if (judged.label.empty()) judged.label = judged.name;
-    if (!q.measured.empty() && harvest.ladder) try {
+    if (!q.measured.empty() && harvest.grid_study) try {
             take_measured(judged, q, harvest);
         } catch (const InputError& e) {
             complain(e.what());
@@ -280,7 +280,7 @@ PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const f
         complain(of.name + ": " + planned.why_not);
     }
     for (PlannedScene& scene : planned.scenes)
-        for (LadderJob& job : scene.plan.jobs) job.run.name = of.name + ": " + job.run.name;
+        for (GridStudyJob& job : scene.plan.jobs) job.run.name = of.name + ": " + job.run.name;
     return planned;
 }
 
@@ -299,9 +299,9 @@ std::optional<ValidatedCase> judge_case(const PlannedCase& planned, Campaign& ca
         if (!make_runs(planned, k, campaign, h)) return {};
         h.harvest.drop_lone_variations();
         if (h.harvest.runs.empty()) continue;
-        h.ladder = ladder_of(h.harvest);
+        h.grid_study = grid_study_of(h.harvest);
         const std::string& name = planned.scenes[k].scene->name;
-        write_tables(*h.ladder, name.empty() ? out / of.name : out / of.name / name);
+        write_tables(*h.grid_study, name.empty() ? out / of.name : out / of.name / name);
         for (const CaseCost& cost : h.costs) {
             auto at = std::ranges::find(c.costs, cost.method, &CaseCost::method);
             if (at == c.costs.end()) at = c.costs.insert(at, {cost.method});

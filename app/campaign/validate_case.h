@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/campaign/campaign.h"
-#include "app/campaign/ladder_jobs.h"
+#include "app/campaign/grid_study_jobs.h"
 #include "suite/suite.h"
 
 namespace tw::app {
@@ -16,7 +16,7 @@ struct PlannedScene {
     const SuiteScene* scene = nullptr;
     std::vector<std::string> methods;  ///< that are run
     double near_hull = 0;              ///< of the scene's own size [m]
-    LadderPlan plan = {};
+    GridStudyPlan plan = {};
 
     std::vector<CampaignRun> runs() const { return runs_of(plan.jobs); }
 };

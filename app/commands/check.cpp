@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/arguments/output.h"
-#include "app/campaign/twins.h"
+#include "app/campaign/coarser_members.h"
 #include "app/commands/check_page.h"
 #include "app/runs/facts_json.h"
 #include "app/runs/ranks.h"
@@ -20,9 +20,9 @@ int run_check(const CheckCommand& command, const Common& common) {
     const Scene& scene = plan.scene;
     double own = 0;
     for (const std::string& method : scene.run.methods) own += plan.seconds(method);
-    const Twins twins({.file = command.scene.file, .overrides = command.scene.overrides(), .threads = command.threads},
-                      {});
-    std::string text = to_text(scene, plan.prediction) + twins.prediction_text(scene, own) +
+    const CoarserMembers coarser_members(
+        {.file = command.scene.file, .overrides = command.scene.overrides(), .threads = command.threads}, {});
+    std::string text = to_text(scene, plan.prediction) + coarser_members.prediction_text(scene, own) +
                        "budget: none, the scene's own sizes are run; run --budget TIME chooses the finest that fit\n";
     const RanksTake ranks = ranks_take(plan, command.ranks);
     text += ranks.line;

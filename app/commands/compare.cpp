@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "app/arguments/output.h"
-#include "app/campaign/ladder_jobs.h"
-#include "app/campaign/write_ladder.h"
+#include "app/campaign/grid_study_jobs.h"
+#include "app/campaign/write_grid_study.h"
 #include "app/runs/read_run.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
-#include "compare/ladder/judge_by_sizes.h"
-#include "compare/ladder/ladder_report.h"
+#include "compare/grid_study/grid_study_report.h"
+#include "compare/grid_study/judge_by_sizes.h"
 #include "compare/reports/two_reports.h"
 #include "methods/methods.h"
 #include "record/wave_twin.h"
@@ -57,7 +57,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 }
 
 /// The coarser runs that `twinwake run` left beside a run's records; none where the source is no run's folder.
-std::vector<fs::path> twin_files(const fs::path& source) {
+std::vector<fs::path> coarser_files(const fs::path& source) {
     return is_methods_folder(source) ? std::vector<fs::path>() : files_below(source / "twins");
 }
 
@@ -68,12 +68,12 @@ std::vector<fs::path> files_of_sizes(const fs::path& source) {
     return files_below(source);
 }
 
-void take_finished(LadderHarvest& harvest, const std::vector<fs::path>& files) {
+void take_finished(GridStudyHarvest& harvest, const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
         RunRecord record = read_run(file);
         if (record.state != "finished") continue;
         harvest.take(std::move(record), file);
-        if (std::optional<LadderVariation> input = uncertain_input_of(file, harvest.runs.back())) {
+        if (std::optional<GridStudyVariation> input = uncertain_input_of(file, harvest.runs.back())) {
             harvest.variations.push_back(std::move(*input));
             harvest.runs.pop_back();
         }
@@ -81,45 +81,45 @@ void take_finished(LadderHarvest& harvest, const std::vector<fs::path>& files) {
 }
 
 /// Runs that differ from others of their size in a choice.
-void part_variations(LadderHarvest& harvest) {
+void part_variations(GridStudyHarvest& harvest) {
     std::ranges::move(take_variations(harvest.runs), std::back_inserter(harvest.variations));
 }
 
-/// What a run's folder says of the discretisation error, as its own report does; none: nothing in it, or no ladder.
-std::optional<Ladder> ladder_of_twins(const CompareCommand& command) {
+/// What a run's folder says of the discretisation error, as its own report does; none: nothing in it, or no grid study.
+std::optional<GridStudy> grid_study_of_coarser_members(const CompareCommand& command) {
     if (command.sources.size() != 1) return {};
-    const std::vector<fs::path> twins = twin_files(command.sources.front());
-    if (twins.empty()) return {};
-    LadderHarvest harvest;
+    const std::vector<fs::path> coarser_members = coarser_files(command.sources.front());
+    if (coarser_members.empty()) return {};
+    GridStudyHarvest harvest;
     for (const fs::path& file : record_files(command.sources.front())) harvest.take(read_run(file), file);
-    take_finished(harvest, twins);
+    take_finished(harvest, coarser_members);
     part_variations(harvest);
     harvest.drop_lone_variations();
     try {
-        return ladder_of(harvest);
+        return grid_study_of(harvest);
     } catch (const InputError& e) {  // the records are there: they are compared all the same
         complain(std::string("coarser runs (twins): no discretisation error: ") + e.what());
         return {};
     }
 }
 
-int compare_ladder(const CompareCommand& command, const Common& common) {
+int compare_grid_study(const CompareCommand& command, const Common& common) {
     if (command.out.empty())
         throw InputError("compare --ladder: expected --out, a folder for the tables and the report");
-    LadderHarvest harvest;
+    GridStudyHarvest harvest;
     for (const fs::path& source : command.sources) {
         if (const std::vector<fs::path> sizes = files_of_sizes(source); !sizes.empty()) {
             take_finished(harvest, sizes);
             continue;
         }
         for (const fs::path& file : record_files(source)) harvest.take(read_run(file), file);
-        take_finished(harvest, twin_files(source));
+        take_finished(harvest, coarser_files(source));
     }
     part_variations(harvest);
     const FolderLock lock(command.out);
-    const Ladder ladder = report_ladder(harvest, measured_records(command.measured), command.out, common);
+    const GridStudy grid_study = report_grid_study(harvest, measured_records(command.measured), command.out, common);
     if (!command.require_agree) return done;
-    const std::string others = not_agreeing(ladder);
+    const std::string others = not_agreeing(grid_study);
     if (others.empty()) return done;
     complain("--require agree is not met: " + others);
     return not_agreed;
@@ -135,7 +135,7 @@ int compare_two_reports(const CompareCommand& command, const Common& common) {
                         "B/report.json), or records only",
                         std::ranges::find_if(command.sources, is_report)->string(), command.sources.size()));
     for (const auto& [given, option] : {std::pair{!command.out.empty(), "--out"},
-                                        {command.ladder, "--ladder"},
+                                        {command.grid_study, "--ladder"},
                                         {!command.measured.empty(), "--measured"},
                                         {command.force, "--force"},
                                         {command.require_agree, "--require"}})
@@ -154,28 +154,29 @@ int compare_two_reports(const CompareCommand& command, const Common& common) {
 
 int run_compare(const CompareCommand& command, const Common& common) {
     if (std::ranges::any_of(command.sources, is_report)) return compare_two_reports(command, common);
-    if (command.ladder) return compare_ladder(command, common);
+    if (command.grid_study) return compare_grid_study(command, common);
     std::vector<RunRecord> records;
     for (const fs::path& source : command.sources)
         for (const fs::path& file : record_files(source)) records.push_back(read_run(file));
     CompareOptions options;
     options.force = command.force;
     Comparison comparison = compare_records(std::move(records), options);
-    const std::optional<Ladder> ladder = ladder_of_twins(command);
-    if (ladder) judge_by_sizes(comparison, *ladder);
+    const std::optional<GridStudy> grid_study = grid_study_of_coarser_members(command);
+    if (grid_study) judge_by_sizes(comparison, *grid_study);
     std::string text = summary_text(comparison);
     std::optional<FolderLock> lock;  // a run may be writing its own report there
     if (!command.out.empty()) lock.emplace(command.out);
     if (lock)
         text += "\nreport: " + leaving_files([&] {
-                                   return write_report(comparison, command.out, ladder ? ladder_html(*ladder) : "");
+                                   return write_report(comparison, command.out,
+                                                       grid_study ? grid_study_html(*grid_study) : "");
                                }).html.string() +
                 "\n";
     say(common, text);
     write_json(common, comparison_json(comparison));
     if (!command.require_agree) return done;
-    if (ladder) {
-        const std::string others = not_agreeing(*ladder);
+    if (grid_study) {
+        const std::string others = not_agreeing(*grid_study);
         if (others.empty()) return done;
         complain("--require agree is not met: " + others);
         return not_agreed;

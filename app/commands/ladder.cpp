@@ -1,4 +1,4 @@
-#include "compare/ladder/ladder.h"
+#include "compare/grid_study/grid_study.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include "app/arguments/output.h"
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
-#include "app/campaign/ladder_jobs.h"
+#include "app/campaign/grid_study_jobs.h"
 #include "app/campaign/report_every.h"
-#include "app/campaign/write_ladder.h"
+#include "app/campaign/write_grid_study.h"
 #include "app/runs/ranks.h"
 #include "app/runs/solvers.h"
 #include "app/study/study.h"
@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What will be run, in this order, and what it is expected to take.
-std::string plan_text(const LadderPlan& plan, double budget) {
+std::string plan_text(const GridStudyPlan& plan, double budget) {
     ReportTable table{
         "",
         {words("run"), numbers("elements"), numbers("predicted time", "s"), numbers("together", "s"), words("state")}};
@@ -48,39 +48,39 @@ std::string plan_text(const LadderPlan& plan, double budget) {
 
 }  // namespace
 
-int run_ladder(const LadderCommand& command, const Common& common) {
+int run_grid_study(const LadderCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_ladder") : command.out;
-    const LadderPlan plan = plan_ladder({.request = {.file = command.scene.file,
-                                                     .overrides = command.scene.overrides(),
-                                                     .method = command.method,
-                                                     .threads = command.threads,
-                                                     .elsewhere = command.making.elsewhere()},
-                                         .levels = command.levels,
-                                         .ratio = command.ratio,
-                                         .variations = command.variations,
-                                         .surface = command.surface,
-                                         .box = command.variations,
-                                         .fill = command.fill},
-                                        out);
-    const std::vector<LadderJob>& jobs = plan.jobs;
+    const GridStudyPlan plan = plan_grid_study({.request = {.file = command.scene.file,
+                                                            .overrides = command.scene.overrides(),
+                                                            .method = command.method,
+                                                            .threads = command.threads,
+                                                            .elsewhere = command.making.elsewhere()},
+                                                .levels = command.levels,
+                                                .ratio = command.ratio,
+                                                .variations = command.variations,
+                                                .surface = command.surface,
+                                                .box = command.variations,
+                                                .fill = command.fill},
+                                               out);
+    const std::vector<GridStudyJob>& jobs = plan.jobs;
     const double budget = budget_seconds(command.budget);
     say(common, plan_text(plan, budget) + unused_ranks(jobs.front().run.plan.scene));
     if (command.plan) return done;
     refuse_report_every(command.making);
     const std::vector<RunRecord> measured = measured_records(command.measured);  // before hours are spent
     const Scene& scene = jobs.front().run.plan.scene;
-    const auto seconds = [](const LadderJob& job) { return job.run.plan.seconds(job.run.method); };
+    const auto seconds = [](const GridStudyJob& job) { return job.run.plan.seconds(job.run.method); };
     const auto no_run_fits = [&] {
         return InputError(fmt::format("--budget {}: no run fits; the cheapest needs {}", command.budget,
                                       about_text(seconds(jobs.front()))));
     };
     // before a folder is made
-    if (!fs::exists(out) && std::ranges::none_of(jobs, [&](const LadderJob& job) { return seconds(job) <= budget; }))
+    if (!fs::exists(out) && std::ranges::none_of(jobs, [&](const GridStudyJob& job) { return seconds(job) <= budget; }))
         throw no_run_fits();
     if (!command.making.hand_over && !command.making.collect) {
         say(common, ready_text(scene.run.methods, scene, &jobs.front().run.plan.prediction));
-        for (const LadderJob& job : jobs)
+        for (const GridStudyJob& job : jobs)
             if (job.run.plan.scene.fvm.interface != scene.fvm.interface)
                 say(common, ready_text({job.run.method}, job.run.plan.scene, &job.run.plan.prediction));
     }
@@ -91,11 +91,11 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
     if (command.making.hand_over) return hand_over(command.making, study, campaign, runs_of(jobs), common);
     catch_stop_signals();
-    LadderHarvest harvest;
+    GridStudyHarvest harvest;
     harvest.left_out = plan.left_out;
     ReportEvery pages(command.making, common.words, out, lock);
     campaign.ahead(study, runs_of(jobs));
-    for (const LadderJob& job : jobs)
+    for (const GridStudyJob& job : jobs)
         if (!take(harvest, job, campaign.run_or_take(job.run))) {
             complain("grid-convergence study: stopped on request; the same command continues from here");
             return run_failed;
@@ -106,7 +106,7 @@ int run_ladder(const LadderCommand& command, const Common& common) {
     if (harvest.runs.empty() && harvest.any_failed)
         throw RunError("no run of the grid-convergence study is left: " + harvest.left_out.front());
     if (harvest.runs.empty()) throw no_run_fits();
-    report_ladder(harvest, measured, out, common);
+    report_grid_study(harvest, measured, out, common);
     return harvest.any_failed ? run_failed : done;
 }
 

@@ -6,8 +6,8 @@
 #include "app/arguments/output.h"
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
+#include "app/campaign/coarser_members.h"
 #include "app/campaign/report_every.h"
-#include "app/campaign/twins.h"
 #include "app/campaign/wave_twin.h"
 #include "app/runs/body_outcome.h"
 #include "app/runs/facts_json.h"
@@ -19,8 +19,8 @@
 #include "base/errors.h"
 #include "base/folder_lock.h"
 #include "compare/compare.h"
-#include "compare/ladder/judge_by_sizes.h"
-#include "compare/ladder/ladder_report.h"
+#include "compare/grid_study/grid_study_report.h"
+#include "compare/grid_study/judge_by_sizes.h"
 #include "compare/report/numbers.h"
 #include "methods/methods.h"
 #include "methods/names.h"
@@ -87,8 +87,8 @@ std::optional<PaidSizes> paid_sizes(const RunCommand& command, const RunRequest&
     std::optional<PaidSizes> sizes;
     if (!command.overwrite) sizes = remembered_sizes(out, budget);
     if (sizes) return sizes;
-    LadderSizes family = sizes_of_twins(own);
-    if (!command.twins) family.levels = 1;
+    GridStudySizes family = sizes_of_coarser_members(own);
+    if (!command.coarser_members) family.levels = 1;
     return sizes_for_budget(family, budget);
 }
 
@@ -117,9 +117,9 @@ std::vector<RunRecord> records_of(const Scene& scene, const fs::path& out, const
 }
 
 /// The exit status of --require agree.
-int required_agreement(const std::optional<Ladder>& ladder) {
-    const std::string others =
-        ladder ? not_agreeing(*ladder) : "without the coarser runs (twins) the discretisation error is not known";
+int required_agreement(const std::optional<GridStudy>& grid_study) {
+    const std::string others = grid_study ? not_agreeing(*grid_study)
+                                          : "without the coarser runs (twins) the discretisation error is not known";
     if (others.empty()) return done;
     complain("--require agree is not met: " + others);
     return not_agreed;
@@ -131,29 +131,31 @@ struct Made {
     std::vector<std::string> unfinished = {};  ///< names of the runs that somebody else still makes
 };
 
-/// Compares what lies in the run's folder and writes the report; gives the exit status. `twins`: null: there are none.
+/// Compares what lies in the run's folder and writes the report; gives the exit status. `coarser_members`: null: none
+/// were run.
 int report(const PlannedRun& plan, const RunCommand& command, const Common& common, const fs::path& out,
-           const Made& made, Twins* twins) {
+           const Made& made, CoarserMembers* coarser_members) {
     const Scene& scene = plan.scene;
     std::vector<RunRecord> records = records_of(scene, out, common);
     if (records.empty()) {
         write_json(common, runs_json(made.runs));
         return made.failed ? run_failed : done;
     }
-    const std::optional<Ladder> ladder = twins ? twins->ladder(records, out) : std::nullopt;
+    const std::optional<GridStudy> grid_study =
+        coarser_members ? coarser_members->grid_study(records, out) : std::nullopt;
     Comparison comparison = compare_records(std::move(records));
-    if (ladder) {
-        judge_by_sizes(comparison, *ladder);
-        write_tables(*ladder, out);
+    if (grid_study) {
+        judge_by_sizes(comparison, *grid_study);
+        write_tables(*grid_study, out);
     }
     if (const std::string banner = provisional_banner(made.unfinished); !banner.empty())
         comparison.banners.insert(comparison.banners.begin(), banner);
     const ReportFiles files =
-        leaving_files([&] { return write_report(comparison, out, ladder ? ladder_html(*ladder) : ""); });
+        leaving_files([&] { return write_report(comparison, out, grid_study ? grid_study_html(*grid_study) : ""); });
     say(common, "\n" + summary_text(comparison) + "\nreport: " + files.html.string() + "\n");
-    write_json(common, run_json(comparison, made.runs, ladder ? &*ladder : nullptr));
+    write_json(common, run_json(comparison, made.runs, grid_study ? &*grid_study : nullptr));
     if (made.failed) return run_failed;
-    return command.require_agree ? required_agreement(ladder) : done;
+    return command.require_agree ? required_agreement(grid_study) : done;
 }
 
 /// One run of the particles that all processes make together. The first one speaks and writes.
@@ -183,7 +185,7 @@ int run_together(const PlannedRun& plan, const RunCommand& command, const Common
 std::optional<int> run_shared(const PlannedRun& plan, const RunCommand& command, const fs::path& out) {
     if (plan.scene.run.ranks < 2 || command.making.collect) return {};
     refuse_unshared(plan, command);
-    if (command.making.hand_over || command.twins || methods_of(plan.scene).size() > 1) return {};
+    if (command.making.hand_over || command.coarser_members || methods_of(plan.scene).size() > 1) return {};
     const fs::path folder = out / sph_method, record = folder / "record.h5";
     refuse_taken(folder, sph_method, command);
     return run_on_ranks(plan.scene.run.ranks, [&, before = written(record)] {
@@ -194,28 +196,29 @@ std::optional<int> run_shared(const PlannedRun& plan, const RunCommand& command,
 
 /// Title, warnings, and what will be run with its predicted time.
 std::string announcement(const PlannedRun& plan, const std::string& budget, const std::vector<CampaignRun>& empty,
-                         const Twins* twins, const fs::path& out) {
+                         const CoarserMembers* coarser_members, const fs::path& out) {
     double own = 0;
     for (const std::string& method : methods_of(plan.scene)) own += plan.seconds(method);
     std::string of_empty;
     for (const CampaignRun& run : empty)
         of_empty += fmt::format("{}: {}\n", run.name, about_text(run.plan.seconds(run.method)));
     return fmt::format("{}\n{}{}{}{}{}results in {}\n", plan.scene.title, warnings_text(plan.scene), budget,
-                       prediction_text(plan), of_empty, twins ? twins->prediction_text(plan.scene, own) : "",
-                       out.string());
+                       prediction_text(plan), of_empty,
+                       coarser_members ? coarser_members->prediction_text(plan.scene, own) : "", out.string());
 }
 
 /// The coarser runs, the twins without wave or bodies, then each method's own run. Nothing: stopped on request, which is
 /// said.
 std::optional<Made> make_all(const PlannedRun& plan, const Common& common, const fs::path& out,
-                             const std::vector<CampaignRun>& empty, Twins* twins, Campaign& campaign) {
+                             const std::vector<CampaignRun>& empty, CoarserMembers* coarser_members,
+                             Campaign& campaign) {
     Made made;
     const auto stopped = [&](const std::string& what) {
         complain(what + ": stopped on request; continue it with --resume");
         write_json(common, runs_json(made.runs));
         return std::nullopt;
     };
-    if (twins && !twins->run(campaign)) return stopped("coarser runs");
+    if (coarser_members && !coarser_members->run(campaign)) return stopped("coarser runs");
     for (const CampaignRun& run : empty)
         if (campaign.run_or_take(run).state == CampaignResult::State::stopped) return stopped(run.name);
     for (const std::string& method : methods_of(plan.scene)) {
@@ -227,7 +230,7 @@ std::optional<Made> make_all(const PlannedRun& plan, const Common& common, const
         }
         if (result.state == CampaignResult::State::stopped) return stopped(method_label(method));
     }
-    made.failed |= campaign.any_failed();  // a twin, coarser or empty
+    made.failed |= campaign.any_failed();  // of the coarser members too, and of those without bodies or wave
     made.unfinished = campaign.unfinished();
     return made;
 }
@@ -255,14 +258,14 @@ int run_run(const RunCommand& command, const Common& common) {
     if (started.many()) return run_together(plan, command, common, out);
     if (const std::optional<int> status = run_shared(plan, command, out)) return *status;
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
-    std::optional<Twins> twins;
+    std::optional<CoarserMembers> coarser_members;
     request.ranks = plan.scene.run.ranks;
-    if (command.twins) twins.emplace(request, out / "twins");
-    if (twins && !command.overwrite) twins->refuse_others();
+    if (command.coarser_members) coarser_members.emplace(request, out / "twins");
+    if (coarser_members && !command.overwrite) coarser_members->refuse_others();
     if (!command.making.hand_over && !command.making.collect)
         say(common, ready_text(methods, plan.scene, &plan.prediction));
     const std::vector<CampaignRun> empty = wave_twins_of(plan, out);
-    Twins* const coarser = twins ? &*twins : nullptr;
+    CoarserMembers* const coarser = coarser_members ? &*coarser_members : nullptr;
     say(common,
         announcement(plan, paid ? budget_text(*paid, budget_seconds(command.budget)) : "", empty, coarser, out));
 
@@ -272,7 +275,7 @@ int run_run(const RunCommand& command, const Common& common) {
     rules.overwrite = command.overwrite, rules.take_finished = !command.overwrite;
     Campaign campaign(common, rules);
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
-    std::vector<CampaignRun> all = twins ? twins->runs() : std::vector<CampaignRun>{};
+    std::vector<CampaignRun> all = coarser_members ? coarser_members->runs() : std::vector<CampaignRun>{};
     all.insert(all.end(), empty.begin(), empty.end());
     for (const std::string& method : methods) all.push_back({method_label(method), method, plan, out / method});
     if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);

@@ -7,16 +7,16 @@
 
 #include "app/arguments/output.h"
 #include "app/campaign/campaign.h"
+#include "app/campaign/coarser_members.h"
 #include "app/campaign/hull_labels.h"
-#include "app/campaign/twins.h"
 #include "app/runs/ranks.h"
 #include "app/runs/solvers.h"
 #include "app/study/study.h"
 #include "app/terminal/stop_signal.h"
 #include "base/errors.h"
 #include "base/folder_lock.h"
-#include "compare/ladder/judge_by_sizes.h"
-#include "compare/ladder/ladder_report.h"
+#include "compare/grid_study/grid_study_report.h"
+#include "compare/grid_study/judge_by_sizes.h"
 
 namespace tw::app {
 namespace {
@@ -84,7 +84,7 @@ void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
         }
 }
 
-Twins twins_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
+CoarserMembers coarser_members_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
     return {request_of(variant, command), out / variant.folder / "twins"};
 }
 
@@ -92,42 +92,42 @@ CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs
     return {variant.name + ": " + method_label(method), method, *variant.plan, out / variant.folder / method};
 }
 
-/// All that will be run as long as no twins fail.
+/// All that will be run as long as no coarser member fails.
 std::vector<CampaignRun> runs_of(const std::vector<SweptHull>& variants, const fs::path& out,
                                  const SweepCommand& command) {
     std::vector<CampaignRun> runs;
-    std::string twins = command.twins;
+    std::string coarser_members = command.coarser_members;
     for (const SweptHull& v : variants) {
         if (!v.plan) continue;
-        if (twins != "none")
-            for (CampaignRun& twin : twins_of(v, out, command).runs()) {
+        if (coarser_members != "none")
+            for (CampaignRun& twin : coarser_members_of(v, out, command).runs()) {
                 twin.name = v.name + ": " + twin.name;
                 runs.push_back(std::move(twin));
             }
-        if (twins == "first") twins = "none";
+        if (coarser_members == "first") coarser_members = "none";
         for (const std::string& method : v.plan->scene.run.methods) runs.push_back(run_of(v, method, out));
     }
     return runs;
 }
 
-/// Which scenes run twins, and what they have told so far.
+/// Which scenes run coarser members, and what they have told so far.
 struct Errors {
-    std::string twins;  ///< first, all, none
+    std::string coarser_members;  ///< first, all, none
     RelativeErrors first = {};
-    bool wanted() const { return twins == "all" || (twins == "first" && first.scene.empty()); }
+    bool wanted() const { return coarser_members == "all" || (coarser_members == "first" && first.scene.empty()); }
 };
 
-/// All methods of one scene, their twins if it is to run some, and their comparison. False: stopped on request. What is
-/// wrong with this scene goes into the member; the others are run all the same.
+/// All methods of one scene, their coarser members if it is to run some, and their comparison. False: stopped on
+/// request. What is wrong with this scene goes into the member; the others are run all the same.
 bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand& command, Campaign& campaign,
                Errors& errors, SweepMember& member) {
     member.why_not = variant.why_not;
     if (!variant.plan) return true;
     const fs::path folder = out / variant.folder;
     try {
-        std::optional<Twins> twins;
-        if (errors.wanted()) twins = twins_of(variant, out, command);
-        if (twins && !twins->run(campaign)) return false;
+        std::optional<CoarserMembers> coarser_members;
+        if (errors.wanted()) coarser_members = coarser_members_of(variant, out, command);
+        if (coarser_members && !coarser_members->run(campaign)) return false;
         std::vector<RunRecord> records;
         for (const std::string& method : variant.plan->scene.run.methods) {
             CampaignResult result = campaign.run_or_take(run_of(variant, method, out));
@@ -138,16 +138,17 @@ bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand
             }
             records.push_back(std::move(*result.record));
         }
-        const std::optional<Ladder> ladder = twins ? twins->ladder(records, folder) : std::nullopt;
+        const std::optional<GridStudy> grid_study =
+            coarser_members ? coarser_members->grid_study(records, folder) : std::nullopt;
         Comparison comparison = compare_records(std::move(records));
-        if (ladder) {
-            judge_by_sizes(comparison, *ladder);
-            write_tables(*ladder, folder);
-            if (!comparison.discretisation_from.empty()) errors.first = relative_errors(*ladder, variant.name);
-        } else if (errors.twins == "first") {
+        if (grid_study) {
+            judge_by_sizes(comparison, *grid_study);
+            write_tables(*grid_study, folder);
+            if (!comparison.discretisation_from.empty()) errors.first = relative_errors(*grid_study, variant.name);
+        } else if (errors.coarser_members == "first") {
             judge_by_errors_of(comparison, errors.first);
         }
-        leaving_files([&] { return write_report(comparison, folder, ladder ? ladder_html(*ladder) : ""); });
+        leaving_files([&] { return write_report(comparison, folder, grid_study ? grid_study_html(*grid_study) : ""); });
         member.report = variant.folder + "/report.html";
         member.methods = comparison.names;
         member.quantities = comparison.quantities;
@@ -183,7 +184,7 @@ int run_sweep(const SweepCommand& command, const Common& common) {
     catch_stop_signals();
     campaign.ahead(study, all);
     std::vector<SweepMember> members;
-    Errors errors{command.twins};
+    Errors errors{command.coarser_members};
     for (const SweptHull& variant : variants) {
         SweepMember& member = members.emplace_back();
         member.name = variant.name;

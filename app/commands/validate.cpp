@@ -90,7 +90,7 @@ std::string ready_for(const std::vector<PlannedCase>& cases) {
     std::optional<Scene> scene;
     for (const PlannedCase& c : cases)
         for (const PlannedScene& s : c.scenes)
-            for (const LadderJob& job : s.plan.jobs) {
+            for (const GridStudyJob& job : s.plan.jobs) {
                 if (!scene) scene = job.run.plan.scene;
                 if (std::ranges::find(methods, job.run.method) == methods.end()) methods.push_back(job.run.method);
             }

@@ -87,7 +87,7 @@ void RunTeller::progress(const Progress& p) {
     told_.steps = static_cast<double>(p.steps), told_.note = p.note;
     if (p.so_far) {
         forces_.take(*p.so_far, p.duration);
-        told_.forces = forces_.told(), told_.checks = p.so_far->certificate;
+        told_.forces = forces_.told(), told_.checks = p.so_far->validity_checks;
     }
     write();
 }
@@ -100,7 +100,7 @@ void RunTeller::end(const RunRecord& record) {
     told_.steps = record.steps, told_.wall = 0;
     for (const Phase& phase : record.phases) told_.wall += phase.wall;
     forces_.take(record, told_.duration);
-    told_.forces = forces_.told(), told_.checks = record.certificate;
+    told_.forces = forces_.told(), told_.checks = record.validity_checks;
     if (const auto found = record.tables.find("samples"); found != record.tables.end() && !found->second.time.empty())
         told_.time = found->second.time.back();
     write();

@@ -66,7 +66,7 @@ std::string json_of(const RunTold& t) {
     for (const ForceTold& f : t.forces)
         forces.push_back(
             {{"name", f.name}, {"unit", f.unit}, {"now", number_or_null(f.now)}, {"mean", number_or_null(f.mean)}});
-    for (const CertificateLine& c : t.checks)
+    for (const RecordedCheck& c : t.checks)
         checks.push_back({{"name", c.name},
                           {"unit", c.unit},
                           {"value", number_or_null(c.value)},
@@ -109,7 +109,7 @@ RunTold read_run_told(const std::filesystem::path& folder) {
             for (const nlohmann::json& f : facts.at("forces"))
                 t.forces.push_back({f.at("name"), f.at("unit"), number_or_nan(f, "now"), number_or_nan(f, "mean")});
             for (const nlohmann::json& c : facts.at("checks")) {
-                CertificateLine line{c.at("name"), c.at("unit"), number_or_nan(c, "value"), number_or_nan(c, "limit")};
+                RecordedCheck line{c.at("name"), c.at("unit"), number_or_nan(c, "value"), number_or_nan(c, "limit")};
                 line.time = number_or_nan(c, "time");
                 t.checks.push_back(std::move(line));
             }

@@ -39,7 +39,7 @@ struct RunTold {
     double steps = 0;               ///< [-]
     double mean_from = 0;           ///< where the means begin [s]
     std::vector<ForceTold> forces = {};
-    std::vector<CertificateLine> checks = {};
+    std::vector<RecordedCheck> checks = {};
 
     double share() const;
     bool ended() const { return kind != MemberState::Kind::waiting && kind != MemberState::Kind::running; }

@@ -40,12 +40,12 @@ std::string details(const std::string& name, const RunTold& t) {
                             std::isfinite(f.mean) ? plain_number(f.mean, 4) + " " + f.unit : "not begun");
     if (t.checks.empty()) return text;
     std::string not_met;
-    for (const CertificateLine& c : t.checks)
+    for (const RecordedCheck& c : t.checks)
         if (!c.met())
             not_met +=
                 fmt::format("; not met: {} {}{} (limit {}) at {} s", c.name, plain_number(c.value, 3),
                             c.unit == "-" ? "" : " " + c.unit, plain_number(c.limit, 3), plain_number(c.time, 3));
-    const auto met = std::ranges::count_if(t.checks, [](const CertificateLine& c) { return c.met(); });
+    const auto met = std::ranges::count_if(t.checks, [](const RecordedCheck& c) { return c.met(); });
     return text + fmt::format("  checks: {} of {} met so far{}\n", met, t.checks.size(), not_met);
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/runs/ranks.h"
-#include "compare/ladder/ladder_report.h"
+#include "compare/grid_study/grid_study_report.h"
 #include "methods/names.h"
 #include "scene/box/box_walls.h"
 #include "scene/doubtful_input.h"
@@ -222,10 +222,10 @@ std::string doctor_json(const MachineFacts& f) {
 
 std::string runs_json(const std::vector<RunFacts>& runs) { return written({{"runs", list_of(runs)}}); }
 
-std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const Ladder* ladder) {
+std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const GridStudy* grid_study) {
     Json all = Json::parse(comparison_json(comparison));
     all["runs"] = list_of(runs);
-    if (ladder) all["ladder"] = Json::parse(ladder_json(*ladder));
+    if (grid_study) all["ladder"] = Json::parse(grid_study_json(*grid_study));
     return written(all);
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/runs/run_method.h"
 #include "compare/compare.h"
-#include "compare/ladder/ladder.h"
+#include "compare/grid_study/grid_study.h"
 #include "foam_cases/doctor.h"
 #include "meshes/health.h"
 #include "meshes/mass_properties.h"
@@ -51,7 +51,8 @@ std::string doctor_json(const MachineFacts& facts);
 /// The finished runs, where there is nothing to compare.
 std::string runs_json(const std::vector<RunFacts>& runs);
 /// The facts of the comparison, and beside them `runs` and, where there is one, `ladder`.
-std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs, const Ladder* ladder = nullptr);
+std::string run_json(const Comparison& comparison, const std::vector<RunFacts>& runs,
+                     const GridStudy* grid_study = nullptr);
 std::string bench_json(const BenchResult& result, const std::vector<PassesPace>& passes);
 
 }  // namespace tw::app

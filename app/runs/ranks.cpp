@@ -107,7 +107,7 @@ void refuse_unshared(const PlannedRun& plan, const RunCommand& command) {
                                      command.ranks, started));
     if (ranks <= 1) return;
     const std::string asked = started > 1 ? fmt::format("mpirun -n {}", started) : asked_by(plan.scene, command.ranks);
-    if (started > 1 && (command.twins || plan.scene.run.methods.size() > 1))
+    if (started > 1 && (command.coarser_members || plan.scene.run.methods.size() > 1))
         throw InputError(
             fmt::format("{}: {} processes make one run: give --method sph --no-twins, or leave mpirun out and give "
                         "--ranks {}, which "

@@ -14,7 +14,7 @@ namespace tw::app {
 /// key, whose place the text then names.
 void refuse_unshared(const PlannedRun& plan, int option);
 
-/// Likewise of what else was asked of the run: twins, a study, other ranks than mpirun has started.
+/// Likewise of what else was asked of the run: coarser members, a study, other ranks than mpirun has started.
 void refuse_unshared(const PlannedRun& plan, const RunCommand& command);
 
 /// What each of the ranks takes, in a line and for programs; of one rank a line alone. Throws InputError likewise, and

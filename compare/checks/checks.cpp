@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "record/certificate.h"
 #include "record/record_numbers.h"
+#include "record/recorded_checks.h"
 
 namespace tw {
 
@@ -46,8 +46,8 @@ void add_run_checks(CheckList& list) {
                  "spray and air reach 1.6; a larger value indicates a fault");
 }
 
-void add_certificate(CheckList& list) {
-    for (const CertificateLine& line : list.record.certificate) {
+void add_validity_checks(CheckList& list) {
+    for (const RecordedCheck& line : list.record.validity_checks) {
         std::string remark = fmt::format("validity check: extreme value of the whole run, at {:.4g} s", line.time);
         if (line.place.allFinite())
             remark += fmt::format(", ({:.3g}, {:.3g}, {:.3g}) m", line.place.x(), line.place.y(), line.place.z());
@@ -63,7 +63,7 @@ std::vector<ValidityCheck> checks_of(const RunRecord& record, const std::string&
     add_run_checks(list);
     add_water_checks(list);
     add_hull_checks(list);
-    add_certificate(list);
+    add_validity_checks(list);
     return std::move(list.checks);
 }
 

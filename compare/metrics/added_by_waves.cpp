@@ -68,7 +68,7 @@ void add_added_by_waves(Comparison& comparison, const CompareOptions& options) {
         }
         if (!any) continue;
         beside(q);
-        q.judged_in_ladder = true;
+        q.judged_in_grid_study = true;
         q.scale = largest;
         comparison.quantities.push_back(std::move(q));
     }

@@ -181,7 +181,7 @@ Quantity& add_body_number(Comparison& comparison, const BodyInAll& body, const c
         q.values.push_back(m);
     }
     beside(q);
-    q.judged_in_ladder = true;
+    q.judged_in_grid_study = true;
     comparison.quantities.push_back(std::move(q));
     return comparison.quantities.back();
 }
@@ -274,7 +274,7 @@ void add_gauges(Comparison& comparison) {
                              "-", "the largest by magnitude, with its sign");
             for (const RunRecord& r : comparison.sources) q.values.push_back(peak_of(r, table, gauge, end));
             beside(q);
-            q.judged_in_ladder = true;
+            q.judged_in_grid_study = true;
             comparison.quantities.push_back(std::move(q));
         }
     }

@@ -6,7 +6,7 @@
 namespace tw {
 
 /// Of every body that moves (tables body_NAME), over the time that the scene runs and all records cover. What the scene
-/// determines has no statistical interval; a ladder judges all of them by the runs of several sizes:
+/// determines has no statistical interval; a grid study judges all of them by the runs of several sizes:
 ///   body_depth:NAME    how far the centre of mass has come down at the end [m]
 ///   body_speed:NAME    velocity downward at the end [m/s]
 ///   body_peak:NAME     largest vertical force of the water, mean over 5 ms or its filter [N]; shorter peaks are sound and sampling

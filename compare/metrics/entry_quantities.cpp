@@ -73,7 +73,7 @@ void add_of_body(Comparison& c, const std::string& name, const std::vector<Entry
             q.values.push_back(m);
         }
         beside(q);
-        q.judged_in_ladder = true;
+        q.judged_in_grid_study = true;
         c.quantities.push_back(std::move(q));
     };
     const auto of_frames = [](const Entry& e) { return e.half_step; };

@@ -188,7 +188,7 @@ void add_free_decay(Comparison& comparison) {
             if (!any) continue;
             for (Quantity* q : {&period, &damping}) {
                 beside(*q);
-                q->judged_in_ladder = true;
+                q->judged_in_grid_study = true;
                 comparison.quantities.push_back(std::move(*q));
             }
         }

@@ -81,7 +81,7 @@ void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods) {
         for (std::size_t i = 0; i < hulls.size(); ++i)
             q.values.push_back(hulls[i] ? of(comparison.sources[i], *hulls[i]) : unknown_value(not_given));
         beside(q);
-        q.judged_in_ladder = true;
+        q.judged_in_grid_study = true;
         comparison.quantities.push_back(std::move(q));
     };
     const std::string lead = "lead of its first harmonic over the theory's crest at the centre of mass",

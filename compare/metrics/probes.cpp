@@ -163,7 +163,7 @@ Quantity arrival_at(const Comparison& c, const std::string& table, const std::st
         set_reading(q.values.back(), reading_of_arrival(h.t, h.x, first, peak, c.sources[s]), of_arrival);
     }
     beside(q);
-    q.judged_in_ladder = true;
+    q.judged_in_grid_study = true;
     return q;
 }
 
@@ -184,18 +184,18 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             const bool tank =
                 std::ranges::none_of(comparison.sources, [](const RunRecord& r) { return flow_through_time(r) > 0; });
             const auto add = [&](const std::string& kind, std::string label, const std::string& its_unit,
-                                 std::string definition, bool in_ladder, const char* why_not, auto&& value_of) {
+                                 std::string definition, bool in_grid_study, const char* why_not, auto&& value_of) {
                 Quantity q = new_quantity(fmt::format("{}{}:{}", table, kind, name), std::move(label), its_unit,
                                           std::move(definition));
                 for (const History& h : histories) q.values.push_back(reading(value_of(h.t, h.x), h, why_not));
-                for (std::size_t s = 0; in_ladder && s < histories.size(); ++s) {
+                for (std::size_t s = 0; in_grid_study && s < histories.size(); ++s) {
                     const History& h = histories[s];
                     if (h.sound > 0) set_sound_aside(q, s, value_of(h.t, h.lasts), h.sound, comparison.names[s]);
                     if (table == "height")
                         set_reading(q.values[s], reading_of_height(comparison.sources[s]), of_height);
                 }
                 beside(q);
-                q.judged_in_ladder = in_ladder && tank;
+                q.judged_in_grid_study = in_grid_study && tank;
                 comparison.quantities.push_back(std::move(q));
             };
             constexpr const char* nothing = "no value in the time that all records cover";
@@ -231,7 +231,7 @@ void add_probes(Comparison& comparison, const CompareOptions& options) {
             for (std::size_t s = 0; table == "height" && s < comparison.sources.size(); ++s)
                 set_reading(mean.values[s], reading_of_height(comparison.sources[s]), of_height);
             beside(mean);
-            mean.judged_in_ladder = true;
+            mean.judged_in_grid_study = true;
             comparison.quantities.push_back(std::move(mean));
         }
     }

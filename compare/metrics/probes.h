@@ -8,9 +8,9 @@
 namespace tw {
 
 /// Quantities per pressure and height probe of any source. `pressure:P1`: the raw peak, with the root mean square
-/// difference of the histories in the remark, never judged. Judged by a ladder: `pressure_mean:P1`, the time mean; and in
-/// tanks `pressure_peak:P1`, the largest mean over 5 ms or the probe's filter, `pressure_p99:P1`, exceeded 1 % of the time, and
-/// `pressure_arrival:P1` [s].
+/// difference of the histories in the remark, never judged. Judged by a grid study: `pressure_mean:P1`, the time mean;
+/// and in tanks `pressure_peak:P1`, the largest mean over 5 ms or the probe's filter, `pressure_p99:P1`, exceeded 1 %
+/// of the time, and `pressure_arrival:P1` [s].
 void add_probes(Comparison& comparison, const CompareOptions& options);
 
 // Peaks of a probe's history that can be compared. The raw maximum cannot: where water lands on a wall a weakly

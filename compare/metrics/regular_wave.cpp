@@ -196,7 +196,7 @@ void add_regular_wave(Comparison& comparison) {
                                       fmt::format("{} {}", parts[part].label, gauge), "m", definition);
             for (const auto& values : found) q.values.push_back(values[part]);
             beside(q);
-            q.judged_in_ladder = true;
+            q.judged_in_grid_study = true;
             q.scale = part == 0 || !std::isfinite(crest - trough) ? 0 : (crest - trough) / 2;
             if (std::isfinite(parts[part].theory)) {
                 Reference reference;
@@ -231,7 +231,7 @@ void add_regular_wave(Comparison& comparison) {
     for (Quantity* q : {&reflected, &loss}) {
         if (q == &loss ? !decays : in_stream) continue;
         beside(*q);
-        q->judged_in_ladder = true;
+        q->judged_in_grid_study = true;
         comparison.quantities.push_back(std::move(*q));
     }
 }

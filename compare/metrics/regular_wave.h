@@ -40,8 +40,8 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods);
 void add_wave_responses(Comparison& comparison, const WavePeriods& periods);
 void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods);
 
-/// Of records that were given their calm twin (record/wave_twin.h), judged by ladders: means over the whole periods less the
-/// settled means of the same run without the wave,
+/// Of records that were given their calm twin (record/wave_twin.h), judged by grid studies: means over the whole
+/// periods less the settled means of the same run without the wave,
 ///   added_resistance [N]; of a free hull added_trim [deg], added_rise [m]
 void add_added_by_waves(Comparison& comparison, const CompareOptions& options);
 

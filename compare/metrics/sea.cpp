@@ -97,7 +97,7 @@ std::complex<double> line_of(const Levels& levels, double from, double f) {
 
 void add_judged(Comparison& comparison, Quantity q, double theory, double half_width = 0) {
     beside(q);
-    q.judged_in_ladder = true;
+    q.judged_in_grid_study = true;
     if (std::isfinite(theory)) {
         Reference reference;
         reference.quantity = q.name;

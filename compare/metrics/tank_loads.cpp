@@ -111,7 +111,7 @@ void add_tank_loads(Comparison& comparison) {
                                                           q.values[i].value < 0)),
                                     shortest, comparison.names[i]);
             beside(q);
-            q.judged_in_ladder = true;
+            q.judged_in_grid_study = true;
             comparison.quantities.push_back(std::move(q));
         };
         const bool flat =

@@ -61,7 +61,7 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
     if (largest == 0) return;  // nothing stands there
     for (Quantity& q : found) {
         beside(q);
-        q.judged_in_ladder = true;
+        q.judged_in_grid_study = true;
         if (q.name == "wave_drift_x") q.scale = largest;
         comparison.quantities.push_back(std::move(q));
     }

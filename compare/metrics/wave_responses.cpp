@@ -106,7 +106,7 @@ void add_wave_without(Comparison& comparison, const std::string& body, const std
         q.values.push_back(b.has_twin ? mean_over(heights, periods) : unknown_value("no run without the body counts"));
     }
     beside(q);
-    q.judged_in_ladder = true;
+    q.judged_in_grid_study = true;
     Reference reference;
     reference.quantity = q.name, reference.unit = "m", reference.value = height;
     reference.source = "the wave as asked for", reference.remark = "its height from trough to crest";
@@ -155,7 +155,7 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
                 if (largest < 1e-6) return;  // it is not free to
                 any_response = true;
                 beside(q);
-                q.judged_in_ladder = true;
+                q.judged_in_grid_study = true;
                 comparison.quantities.push_back(std::move(q));
             };
             if (any_twin)

@@ -71,8 +71,8 @@ std::string at_size(const RunRecord& run, double finer, std::string_view without
     return (file_s ? "" : fmt::format(" --scale {:.4g}", scale)) + carried_options(run, {"--scale", without});
 }
 
-/// Of all methods and their coarser twins at a size `finer` times as fine: h^-4 in space and time, h^-3 in two dimensions
-/// [s]; 0: the records do not say how long they took.
+/// Of all methods and their coarser members at a size `finer` times as fine: h^-4 in space and time, h^-3 in two
+/// dimensions [s]; 0: the records do not say how long they took.
 double seconds_at(const Comparison& c, double finer) {
     double sum = 0;
     for (const RunRecord& r : c.sources) {

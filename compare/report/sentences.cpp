@@ -135,7 +135,7 @@ std::string limit_of(const Quantity& q) {
 /// "Lift: apart by 2.8 % at this size (interFoam lower), ± 0.2 % ...; discretisation error not estimated."
 std::string apart_sentence(const Comparison& comparison, const Quantity& q) {
     if (!q.not_resolved.empty()) return q.label + ": " + q.not_resolved + ".";
-    const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_ladder;
+    const bool without_verdict = q.verdict == Verdict::not_estimated || q.judged_in_grid_study;
     if (!without_verdict || !std::isfinite(q.per_cent))
         return q.label + ": " + verdict_label(q.verdict) + (q.remark.empty() ? "" : " (" + q.remark + ")") + ".";
     const std::string a = method_label(comparison.names[q.a]), b = method_label(comparison.names[q.b]);

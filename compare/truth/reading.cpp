@@ -123,7 +123,7 @@ Quantity quantity_of(const Reading& r, const std::string& name, const std::strin
     }
     q.values.push_back(std::move(m));
     beside(q);
-    q.judged_in_ladder = true;
+    q.judged_in_grid_study = true;
     return q;
 }
 

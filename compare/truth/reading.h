@@ -28,7 +28,8 @@ struct Reading {
 /// The names of the kinds, in their order.
 const std::vector<std::string>& reading_kinds();
 
-/// That number of a run as a quantity that a ladder judges; where the record does not give it, its only value says why.
+/// That number of a run as a quantity that a grid study judges; where the record does not give it, its only value says
+/// why.
 Quantity quantity_of(const Reading& reading, const std::string& name, const std::string& label,
                      const RunRecord& record);
 

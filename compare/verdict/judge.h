@@ -13,8 +13,8 @@ inline Verdict holds(double E, double U, double target, double S) {
     return U <= target * S ? Verdict::agree : Verdict::undecided;
 }
 
-/// The decision behind every verdict of a ladder, of a difference E with the half width U of its 95 % interval and a size S of the
-/// values (E and U as in ASME V&V 20 and ITTC 7.5-02-01-01):
+/// The decision behind every verdict of a grid study, of a difference E with the half width U of its 95 % interval and
+/// a size S of the values (E and U as in ASME V&V 20 and ITTC 7.5-02-01-01):
 ///
 ///   |E| + U <= target S            agree: all that the interval holds is within the target
 ///   |E| >  U                       differ
@@ -39,8 +39,8 @@ inline Verdict decide(double E, double U, double target, double S) {
 ///
 /// (ITTC / ASME V&V style E_n = |E| / U; shared inputs cancel and are not added.) `shared`: half width of what both
 /// sides share and yet may hold differently, e.g. the draft [unit of the quantity]. Of more than two sources every pair
-/// is judged, and the quantity as a whole is the pair with the largest |E| / U. Whether two methods agree is for a ladder to say (ladder/ladder.h); where
-/// U alone is above the target, the remark names what makes it so wide.
+/// is judged, and the quantity as a whole is the pair with the largest |E| / U. Whether two methods agree is for a grid
+/// study to say (grid_study/grid_study.h); where U alone is above the target, the remark names what makes it so wide.
 void judge(Quantity& quantity, const std::vector<std::string>& names, double target, double shared = 0,
            const std::string& shared_name = {});
 

@@ -19,8 +19,8 @@ template <class Quantities>
 auto main_quantities(const Quantities& all) {
     std::vector<decltype(all.data())> of_all;
     const auto only_beside = [](const auto& q) {
-        if constexpr (requires { q.judged_in_ladder; })
-            return !q.judged && !q.judged_in_ladder && q.not_resolved.empty();
+        if constexpr (requires { q.judged_in_grid_study; })
+            return !q.judged && !q.judged_in_grid_study && q.not_resolved.empty();
         else
             return false;
     };

@@ -9,7 +9,8 @@ std::string gravity_file(const CasePlan& plan) {
                      {{"dimensions", acceleration}, {"value", Vec3(0, 0, -std::abs(plan.scene->water.gravity))}});
 }
 
-/// constant/turbulenceProperties: laminar for the twin of an SPH run without physical viscosity, else k-omega SST.
+/// constant/turbulenceProperties: laminar for the counterpart of an SPH run without physical viscosity, else k-omega
+/// SST.
 std::string turbulence_file(const CasePlan& plan) {
     Dictionary d{{"simulationType", Word(plan.turbulent ? "RAS" : "laminar")}};
     if (plan.turbulent)

@@ -11,8 +11,8 @@
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/level_at_ends.h"
 #include "meshes/section.h"
-#include "record/certificate.h"
 #include "record/raster.h"
+#include "record/recorded_checks.h"
 #include "scene/defaults.h"
 #include "scene/new_record.h"
 #include "scene/solids/friction_line.h"
@@ -92,7 +92,7 @@ std::optional<WaterLoad> read_load(const CasePlan& plan, const fs::path& case_fo
     return sum;
 }
 
-CertificateLine continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step) {
+RecordedCheck continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step) {
     constexpr double limit = 0.3;
     const double passing = scene.hull->length / scene.motion.speed;
     return {"continuity error", "%", 100 * step.continuity / step.step * passing, limit, step.time};
@@ -185,7 +185,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     level.keep(record);
     // OpenFOAM's step follows its Courant number with a delay; a multiple of the limit is a fault. Places are not
     // known.
-    const Vec3 nowhere = CertificateLine{}.place;
+    const Vec3 nowhere = RecordedCheck{}.place;
     if (step != nullptr)
         note_worst(record, {"Courant number", "-", step->courant, 2 * scene.fvm.max_courant, moment.time, nowhere});
     if (hull_held_in_stream(scene) && step != nullptr && moment.time >= scene.sampling.mean_from)

@@ -24,7 +24,7 @@ inline constexpr const char* fast_water = "fast_water";
 ///   sum |div u| V / sum V * L / U   [%],
 ///
 /// which says whether pressure is solved well enough for the hull's load (docs/decisions/015-interfoam-settings.md).
-CertificateLine continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step);
+RecordedCheck continuity_of_held_hull(const Scene& scene, const SolverLog::Step& step);
 
 /// Turns what the solver leaves at its write times into rows of the run record: water poured into the raster, mass,
 /// energies, the water's load on the hull or the solids of a tank. Half-model results are doubled here, once.

@@ -43,11 +43,11 @@ void LevelAtEnds::keep(RunRecord& record) const {
         if (samples.time[i] >= from) sum += level[i], ++count;
     if (count == 0) return;
     const double depth = -scene_.domain.box.min.z();
-    const CertificateLine line{inlet_level_line, "% of the depth", 100 * std::abs(sum / count) / depth, 1,
-                               samples.time.back()};
-    const auto known = std::ranges::find(record.certificate, line.name, &CertificateLine::name);
-    if (known == record.certificate.end())
-        record.certificate.push_back(line);
+    const RecordedCheck line{inlet_level_line, "% of the depth", 100 * std::abs(sum / count) / depth, 1,
+                             samples.time.back()};
+    const auto known = std::ranges::find(record.validity_checks, line.name, &RecordedCheck::name);
+    if (known == record.validity_checks.end())
+        record.validity_checks.push_back(line);
     else
         *known = line;
 }

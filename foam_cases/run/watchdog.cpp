@@ -9,7 +9,7 @@
 
 #include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/number_rows.h"
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 
 namespace tw {
 namespace fs = std::filesystem;

@@ -37,7 +37,7 @@ Margins margins(const Scene& scene) {
     if (!several_sizes || !planes(scene) || hull.section) return m;
     const WallReach reach = reach_for_lift(hull, 0.01);
     m.side = std::max(m.side, beyond_formula * reach.side), m.below = std::max(m.below, beyond_formula * reach.depth);
-    if (!hull.free) m.ahead += 0.8 * hull.length;  // where the zones of twice the sizes, a twin's, have room
+    if (!hull.free) m.ahead += 0.8 * hull.length;  // where the zones of twice the sizes, a coarser member's, have room
     return m;
 }
 

@@ -51,22 +51,6 @@ SparseMatrix Shell::stiffness() const {
     return K;
 }
 
-void Shell::add_point_mass(int node, double kg) {
-    if (node < 0 || 6 * node >= dofs() || !(std::isfinite(kg) && kg >= 0))
-        throw InputError(fmt::format("a mass of {} kg at node {}; expected 0 or more at a node that exists", kg, node));
-    mass_.segment<3>(6 * node).array() += kg;
-}
-
-void Shell::add_line_mass(const std::vector<int>& path, double kg_per_m) {
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        const Vec3 &a = mesh_.nodes.at(static_cast<std::size_t>(path[i - 1])),
-                   &b = mesh_.nodes.at(static_cast<std::size_t>(path[i]));
-        const double half = (a - b).norm() * kg_per_m / 2;
-        add_point_mass(path[i - 1], half);
-        add_point_mass(path[i], half);
-    }
-}
-
 Eigen::VectorXd Shell::pressure_load(const Eigen::VectorXd& pressure) const {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs());
     for (std::size_t e = 0; e < elements_.size(); ++e)

@@ -23,16 +23,12 @@ public:
 
     SparseMatrix stiffness() const;
 
-    /// Lumped: the mass of the area about each node, with the section's inertia for its rotations, and what was added
-    /// [kg], [kg m2].
+    /// Lumped: the mass of the area about each node, with the section's inertia for its rotations [kg], [kg m2].
     const Eigen::VectorXd& mass() const { return mass_; }
-    void add_point_mass(int node, double kg);
-    /// Along the path from node to node [kg/m].
-    void add_line_mass(const std::vector<int>& path, double kg_per_m);
 
     /// Forces [N] of a pressure [Pa], one for each element, on the face out of which the normal points.
     Eigen::VectorXd pressure_load(const Eigen::VectorXd& pressure) const;
-    /// Weight of the shell and of what was added to it [N].
+    /// Weight of the shell [N].
     Eigen::VectorXd weight(const Vec3& gravity) const;
 
     /// The six degrees of freedom of an element's four nodes, out of those of all.

@@ -69,7 +69,7 @@ TEST_F(Command, TheLastMomentIsDrawnUnaskedAndOfATwinNot) {
         EXPECT_FALSE(fs::exists(twin.path() / "sph/snapshots")) << twin.path();
 }
 
-TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
+TEST_F(Command, AGridStudyTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     write("my column.toml", column);
     const Outcome small = twinwake({"ladder", "my column.toml", "--levels", "2", "--budget", "1 us"});
     EXPECT_EQ(small.status, 2);
@@ -99,16 +99,16 @@ TEST_F(Command, ALadderTakesWhatIsFinishedAndNamesWhatTheBudgetLeavesOut) {
     EXPECT_NE(content(out / "ladder.md").find("sound speed x 1.5"), std::string::npos);
     EXPECT_NE(content(out / "report.html").find("What accuracy costs"), std::string::npos);
 
-    // the same ladder from the records alone
-    const std::string ladder = "runs/my column_ladder/";
-    const Outcome compared = twinwake({"compare", "--ladder", ladder + "near_hull_20mm/sph",
-                                       ladder + "near_hull_28.2843mm/sph", "--out", "from_records"});
+    // the same grid study from the records alone
+    const std::string grid_study = "runs/my column_ladder/";
+    const Outcome compared = twinwake({"compare", "--ladder", grid_study + "near_hull_20mm/sph",
+                                       grid_study + "near_hull_28.2843mm/sph", "--out", "from_records"});
     EXPECT_EQ(compared.status, 0) << compared.err;
     EXPECT_EQ(content(folder_ / "from_records/ladder_sph.csv"), content(out / "ladder_sph.csv"));
     const Outcome by_folder = twinwake({"compare", "--ladder", "runs/my column_ladder", "--out", "from_folder"});
     EXPECT_EQ(by_folder.status, 0) << by_folder.err;
     EXPECT_EQ(content(folder_ / "from_folder/ladder.md"), content(out / "ladder.md"));
-    EXPECT_EQ(twinwake({"compare", "--ladder", ladder + "near_hull_20mm/sph"}).status, 2);  // nowhere to write it
+    EXPECT_EQ(twinwake({"compare", "--ladder", grid_study + "near_hull_20mm/sph"}).status, 2);  // nowhere to write it
 
     write("my column.toml", with(column, "max = [0.2, 0.2, 0.2]", "max = [0.2, 0.2, 0.1]"));
     const Outcome refused = twinwake({"ladder", "my column.toml", "--levels", "2"});
@@ -205,7 +205,7 @@ TEST_F(Command, ARunWhoseWaterHasLeftEndsAndLeavesAReport) {
     EXPECT_NE(content(folder_ / "runs/lost/report.html").find("SPH failed: no water is left"), std::string::npos);
 }
 
-TEST_F(Command, ALadderOfRunsThatAllFailSaysWhy) {
+TEST_F(Command, AGridStudyOfRunsThatAllFailSaysWhy) {
     write("column.toml", column + "[sph]\nc0 = 2\n");
     const Outcome o = twinwake({"ladder", "column.toml", "--levels", "2"});
     EXPECT_EQ(o.status, 3) << o.out;
@@ -213,7 +213,7 @@ TEST_F(Command, ALadderOfRunsThatAllFailSaysWhy) {
     EXPECT_EQ(twinwake({"ladder", "column.toml", "--levels", "2"}).status, 3);  // nothing was saved: it begins anew
 }
 
-TEST_F(Command, ALadderSaysInItsReportWhatTheBudgetLeftOutAndHowToMakeItAgain) {
+TEST_F(Command, AGridStudySaysInItsReportWhatTheBudgetLeftOutAndHowToMakeItAgain) {
     write("column.toml", column);
     // 0.10, 0.11 and 0.14 s by the cost model, without what this machine has taught
     const Outcome o = twinwake({"ladder", "column.toml", "--levels", "3", "--no-variations", "--budget", "0.3 s"});
@@ -271,9 +271,9 @@ TEST_F(Command, AgreementCannotBeRequiredOfRunsOfOneSize) {
     EXPECT_EQ(o.status, 4);
     EXPECT_NE(o.err.find("twinwake ladder"), std::string::npos) << o.err;
     ASSERT_EQ(twinwake({"ladder", "column.toml", "--levels", "2", "--no-variations", "-q"}).status, 0);
-    const std::string ladder = "runs/column_ladder/near_hull_";
-    const Outcome alone = twinwake({"compare", "--ladder", ladder + "20mm/sph", ladder + "28.2843mm/sph", "--out",
-                                    "cmp", "--require", "agree", "-q"});
+    const std::string grid_study = "runs/column_ladder/near_hull_";
+    const Outcome alone = twinwake({"compare", "--ladder", grid_study + "20mm/sph", grid_study + "28.2843mm/sph",
+                                    "--out", "cmp", "--require", "agree", "-q"});
     EXPECT_EQ(alone.status, 4);  // one method has nothing to agree with
     EXPECT_NE(alone.err.find("--require agree is not met: "), std::string::npos) << alone.err;
 }

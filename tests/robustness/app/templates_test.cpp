@@ -32,8 +32,8 @@ TEST_P(Template, MeetsItsOwnChecks) {
                                 coarse.duration, "--threads", "1", "--quiet", "--out", "out"});
     ASSERT_EQ(o.status, 0) << o.err;
     const RunRecord record = read_record(folder_ / "out/sph/record.h5");
-    ASSERT_FALSE(record.certificate.empty());
-    for (const CertificateLine& line : record.certificate)
+    ASSERT_FALSE(record.validity_checks.empty());
+    for (const RecordedCheck& line : record.validity_checks)
         EXPECT_TRUE(line.value <= line.limit || coarse.missed.contains(line.name))
             << line.name << ": " << line.value << ", limit " << line.limit;
 }

@@ -82,7 +82,7 @@ TEST_F(Command, ARunLeavesItsForcesAndMeansAndChecks) {
     EXPECT_EQ(told["state"], "done");
     EXPECT_EQ(told["forces"][0]["name"], "fx");
     EXPECT_NEAR(told["forces"][0]["mean"].get<double>(), late / late_time, 1e-9 * std::abs(late / late_time));
-    EXPECT_EQ(told["checks"].size(), record.certificate.size());
+    EXPECT_EQ(told["checks"].size(), record.validity_checks.size());
 
     // what the file's rows add up to is the impulse of all steps
     std::istringstream rows(content(folder_ / "runs/post/sph/forces.csv"));

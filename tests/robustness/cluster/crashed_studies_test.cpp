@@ -1,5 +1,5 @@
-// Studies on a disk that lets them down: a ladder, and a run with twins, are resumed to the same results after a
-// crash at a step of writing, after SIGINT there, and after the disk was full from there on.
+// Studies on a disk that lets them down: a grid study, and a run with its coarser members, are resumed to the same
+// results after a crash at a step of writing, after SIGINT there, and after the disk was full from there on.
 #include "study_folder.h"
 
 namespace tw::test {
@@ -54,22 +54,23 @@ protected:
         return faults;
     }
 
-    const Words ladder{"ladder", "column.toml", "--levels", "2", "--no-fill", "--no-variations"};
+    const Words grid_study{"ladder", "column.toml", "--levels", "2", "--no-fill", "--no-variations"};
     const Words run{"run", "column.toml"}, resumed{"run", "column.toml", "--resume"};
 };
 
 // Strides are no multiples of three: each of a file's three steps takes its turn.
 
-TEST_F(CrashedStudy, ALadderLosesNothing) { EXPECT_GT(loses_nothing(ladder, ladder, "crash", "", 25), 3); }
+TEST_F(CrashedStudy, AGridStudyLosesNothing) { EXPECT_GT(loses_nothing(grid_study, grid_study, "crash", "", 25), 3); }
 
 TEST_F(CrashedStudy, ARunWithTwinsLosesNothing) { EXPECT_GT(loses_nothing(run, resumed, "crash", "", 40), 3); }
 
-TEST_F(CrashedStudy, ALadderThatIsInterruptedWhileItWritesGoesOn) {
-    EXPECT_GT(loses_nothing(ladder, ladder, "interrupt", "stopped on request; the same command continues", 40), 1);
+TEST_F(CrashedStudy, AGridStudyThatIsInterruptedWhileItWritesGoesOn) {
+    EXPECT_GT(loses_nothing(grid_study, grid_study, "interrupt", "stopped on request; the same command continues", 40),
+              1);
 }
 
-TEST_F(CrashedStudy, ALadderWhoseDiskIsFullGoesOnWhenThereIsRoom) {
-    EXPECT_GT(loses_nothing(ladder, ladder, "full", "cannot be written: No space left on device", 40), 1);
+TEST_F(CrashedStudy, AGridStudyWhoseDiskIsFullGoesOnWhenThereIsRoom) {
+    EXPECT_GT(loses_nothing(grid_study, grid_study, "full", "cannot be written: No space left on device", 40), 1);
 }
 
 }  // namespace crashed_studies_test

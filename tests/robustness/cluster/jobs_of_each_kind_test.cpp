@@ -1,5 +1,5 @@
 // --jobs with every command that has runs of its own to make: a sweep, an ablation, a run with an interFoam member.
-// For a ladder and a run of particles see jobs_test.cpp.
+// For a grid study and a run of particles see jobs_test.cpp.
 #include "foam_cases/doctor.h"
 #include "study_folder.h"
 

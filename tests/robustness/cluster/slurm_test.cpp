@@ -114,8 +114,8 @@ protected:
 };
 
 TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
-    const Words ladder{"ladder", "column.toml", "--levels", "3", "--no-fill"};
-    // A run that is long enough to lose its node, and a ladder of which one run cannot begin.
+    const Words grid_study{"ladder", "column.toml", "--levels", "3", "--no-fill"};
+    // A run that is long enough to lose its node, and a grid study of which one run cannot begin.
     write("long.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 5\ncheckpoint = 0.2"));
     const Outcome submitted = twinwake({"submit", "run", "long.toml", "--no-twins", "--out", "lost"});
     ASSERT_EQ(submitted.status, 0) << submitted.err;
@@ -127,15 +127,16 @@ TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
     const std::string node = job.substr(job.find("node"));
     cluster("kill", node);
 
-    ASSERT_EQ(twinwake(with_words({"submit"}, with_words(ladder, {"--out", "ladder"}))).status, 0);
+    ASSERT_EQ(twinwake(with_words({"submit"}, with_words(grid_study, {"--out", "ladder"}))).status, 0);
     ASSERT_EQ(twinwake({"submit", "run", "column.toml", "--out", "run"}).status, 0);
     write("failing/near_hull_42.4264mm/sph/record.h5.tmp/in/the/way", "");
-    ASSERT_EQ(twinwake(with_words({"submit"}, with_words(ladder, {"--out", "failing", "--no-variations"}))).status, 0);
+    ASSERT_EQ(twinwake(with_words({"submit"}, with_words(grid_study, {"--out", "failing", "--no-variations"}))).status,
+              0);
     const Outcome refused = twinwake({"submit", "run", "column.toml", "--out", "no", "--partition", "moon"});
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(has(refused.err, "invalid partition specified: moon")) << refused.err;  // Slurm's own words
 
-    ASSERT_EQ(twinwake(with_words(ladder, {"--out", "own_ladder"})).status, 0);
+    ASSERT_EQ(twinwake(with_words(grid_study, {"--out", "own_ladder"})).status, 0);
     ASSERT_EQ(twinwake({"run", "column.toml", "--out", "own_run"}).status, 0);
     ASSERT_EQ(twinwake({"run", "long.toml", "--no-twins", "--out", "own_long"}).status, 0);
     ASSERT_TRUE(all_ended());
@@ -152,10 +153,10 @@ TEST_F(Slurm, StudiesEndInTheReportsOfLocalOnesThoughANodeDiesAndARunFails) {
     EXPECT_EQ(status_of("ladder")["runs"][1]["state"], "done");
 }
 
-TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder) {
+TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalGridStudy) {
     write("column.toml", with(small_column, "duration = 0.1\ncheckpoint = 0.02", "duration = 2\ncheckpoint = 0.1"));
-    const Words ladder{"ladder", "column.toml", "--levels", "2", "--ratio", "1.1", "--no-fill", "--no-variations"};
-    const Words submission = with_words({"submit"}, with_words(ladder, {"--out", "slurm"}));
+    const Words grid_study{"ladder", "column.toml", "--levels", "2", "--ratio", "1.1", "--no-fill", "--no-variations"};
+    const Words submission = with_words({"submit"}, with_words(grid_study, {"--out", "slurm"}));
     const Outcome submitted = twinwake(submission);
     ASSERT_EQ(submitted.status, 0) << submitted.err;
     const std::vector<fs::path> runs{"slurm/near_hull_33mm/sph", "slurm/near_hull_30mm/sph"};
@@ -183,7 +184,7 @@ TEST_F(Slurm, JobsThatArePreemptedToldToStopOrKilledEndInTheReportOfALocalLadder
 
     ASSERT_EQ(twinwake(submission).status, 0);
     ASSERT_TRUE(all_ended()) << logs("slurm");
-    ASSERT_EQ(twinwake(with_words(ladder, {"--out", "whole"})).status, 0);
+    ASSERT_EQ(twinwake(with_words(grid_study, {"--out", "whole"})).status, 0);
     expect_same_records(folder_ / "whole", folder_ / "slurm");
     expect_same_tables(folder_ / "whole", folder_ / "slurm");
 }

@@ -10,7 +10,7 @@ namespace tw::test {
 
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// A ladder of three sizes with 350 particles at most.
+/// A grid study of three sizes with 350 particles at most.
 inline const std::string small_column =
     with(falling_column("column", "duration = 0.1\ncheckpoint = 0.02", "[0.4, 0.1, 0.02]"), "near_hull = 0.02",
          "near_hull = 0.03");

@@ -40,7 +40,7 @@ protected:
     }
     std::string words_of(const std::string& name) const { return content(folder_ / (name + ".words")); }
 
-    /// A submit command: a ladder of three sizes with what else is given.
+    /// A submit command: a grid study of three sizes with what else is given.
     Outcome submit(const Words& more = {}, const std::string& levels = "3") const {
         Words words{"submit", "ladder", "column.toml", "--levels", levels, "--no-fill", "--out", "out"};
         words.insert(words.end(), more.begin(), more.end());

@@ -32,13 +32,13 @@ void expect_same(const fs::path& one, const fs::path& other, const std::string& 
     const RunRecord a = read_record(one / "record.h5"), b = read_record(other / "record.h5");
     EXPECT_EQ(a.state, "finished");
     EXPECT_EQ(first_difference(a, b), "") << what;
-    ASSERT_EQ(a.certificate.size(), b.certificate.size());
-    for (std::size_t k = 0; k < a.certificate.size(); ++k) {
-        EXPECT_EQ(a.certificate[k].value, b.certificate[k].value) << what << ": " << a.certificate[k].name;
+    ASSERT_EQ(a.validity_checks.size(), b.validity_checks.size());
+    for (std::size_t k = 0; k < a.validity_checks.size(); ++k) {
+        EXPECT_EQ(a.validity_checks[k].value, b.validity_checks[k].value) << what << ": " << a.validity_checks[k].name;
         for (int axis = 0; axis < 3; ++axis)  // which may be unknown
-            EXPECT_EQ(std::bit_cast<std::uint64_t>(a.certificate[k].place[axis]),
-                      std::bit_cast<std::uint64_t>(b.certificate[k].place[axis]))
-                << what << ": " << a.certificate[k].name;
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(a.validity_checks[k].place[axis]),
+                      std::bit_cast<std::uint64_t>(b.validity_checks[k].place[axis]))
+                << what << ": " << a.validity_checks[k].name;
     }
     EXPECT_EQ(a.hull_pressure, b.hull_pressure) << what;
     EXPECT_TRUE(read_text(one / "checkpoint.h5") == read_text(other / "checkpoint.h5"))

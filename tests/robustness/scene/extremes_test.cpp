@@ -147,7 +147,7 @@ void run(const std::vector<Check>& checks) {
     }
 }
 
-/// The program itself: with it come the costs of twins, and what the command line adds.
+/// The program itself: with it come the costs of coarser members, and what the command line adds.
 void run_program(const std::vector<Check>& checks) {
     for (const Check& check : checks) {
         const std::filesystem::path file = file_of(check), out = file.string() + ".out";

@@ -33,7 +33,7 @@ Worst worst_of_study(double sound_speed) {
     return worst;
 }
 
-TEST(ElasticWall, KeepsTheCertificatesLimitsWithTheDefaultSoundSpeed) {
+TEST(ElasticWall, KeepsTheValidityCheckssLimitsWithTheDefaultSoundSpeed) {
     const Worst with_default = worst_of_study(1), with_ten_falls = worst_of_study(0.25);
     EXPECT_LT(with_default.mach, trusted_mach);
     EXPECT_LT(with_default.compression, trusted_compression);

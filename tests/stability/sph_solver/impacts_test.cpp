@@ -9,7 +9,7 @@
 #include "base/numbers.h"
 #include "meshes/generate.h"
 #include "meshes/query.h"
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 #include "sph_solver/measure/validity_checks.h"
 #include "watched_run.h"
 
@@ -148,9 +148,9 @@ TEST(RotatedLattice, StrikesAsTheStraightOneDoes) {
     EXPECT_NEAR(b / a, 1, 0.05);
 }
 
-/// The worst of a run's certificate by name; NaN where there is no such line.
+/// The worst of a run's validity checks by name; NaN where there is no such line.
 double worst(const RunRecord& record, const std::string& name) {
-    for (const CertificateLine& line : record.certificate)
+    for (const RecordedCheck& line : record.validity_checks)
         if (line.name == name) return line.value;
     return std::nan("");
 }
@@ -158,7 +158,7 @@ struct Watched {
     RunRecord record;
     std::string stopped;
 };
-Watched impact_with_certificate(double c0) {
+Watched impact_with_validity_checks(double c0) {
     Watched w;
     try {
         Simulation simulation = thrown_at(section(10), {Vec3(-1, 0, -1), Vec3(1, 0, 0)}, 1.0 / 25, c0);
@@ -170,17 +170,17 @@ Watched impact_with_certificate(double c0) {
 TEST(SoundSpeedTooLow, IsSaidAndNotPassed) {
     // Half the speed of the flow that rules allow, and less: the run does not go on, and names the sound speed.
     for (const double c0 : {2.0, 1 / 0.3}) {
-        const Watched w = impact_with_certificate(c0);
+        const Watched w = impact_with_validity_checks(c0);
         EXPECT_NE(w.stopped.find("sound speed"), std::string::npos) << c0 << ": " << w.stopped;
     }
     // Ten times the impact's speed, as a scene has it by default, runs on, but its jets are faster: the record says so.
-    const Watched low = impact_with_certificate(10), enough = impact_with_certificate(40);
+    const Watched low = impact_with_validity_checks(10), enough = impact_with_validity_checks(40);
     EXPECT_EQ(low.stopped + enough.stopped, "");
     std::cout << "Mach number and compression: " << worst(low.record, "Mach number") << ", "
               << worst(low.record, "compression") << " %; with four times the sound speed "
               << worst(enough.record, "Mach number") << ", " << worst(enough.record, "compression") << " %\n";
     const auto met = [](const RunRecord& record) {
-        return std::ranges::all_of(record.certificate, &CertificateLine::met);
+        return std::ranges::all_of(record.validity_checks, &RecordedCheck::met);
     };
     EXPECT_GT(worst(low.record, "Mach number"), 0.3);
     EXPECT_FALSE(met(low.record));

@@ -44,7 +44,7 @@ TEST(Bodies, AreMeasuredByDepthSpeedPeakArrivalAndImpulse) {
     EXPECT_NEAR(value(c, "body_turn:ball"), 10, 1e-6);
     EXPECT_EQ(c.find("body_depth:ball")->unit, "m");
     EXPECT_EQ(c.find("body_impulse:ball")->unit, "N s");
-    EXPECT_TRUE(c.find("body_depth:ball")->judged_in_ladder);
+    EXPECT_TRUE(c.find("body_depth:ball")->judged_in_grid_study);
 }
 
 TEST(Bodies, ThePeakIsAMeanOverTheTimeThatTheSceneSays) {

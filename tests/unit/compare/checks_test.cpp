@@ -17,9 +17,10 @@ namespace checks_test {
 
 using namespace synthetic_pair;
 
-TEST(Checks, ACertificateLineIsACheckOfItsRun) {
+TEST(Checks, ARecordedCheckIsACheckOfItsRun) {
     RunRecord pressed = synthetic_run(sph);
-    pressed.certificate = {{"compression", "%", 17.8, 5, 0.31, {1, 2, -0.5}}, {"Mach number", "-", 0.11, 0.15, 0.3}};
+    pressed.validity_checks = {{"compression", "%", 17.8, 5, 0.31, {1, 2, -0.5}},
+                               {"Mach number", "-", 0.11, 0.15, 0.3}};
     const Comparison c = compare_records({pressed, synthetic_run(fvm)});
     const auto line = std::ranges::find(c.checks, "compression", &ValidityCheck::name);
     ASSERT_NE(line, c.checks.end());

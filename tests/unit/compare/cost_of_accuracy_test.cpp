@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compare/ladder/cost.h"
+#include "compare/grid_study/cost.h"
 
 namespace tw {
 namespace cost_of_accuracy_test {

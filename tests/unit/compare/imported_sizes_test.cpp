@@ -1,11 +1,11 @@
-// An imported record that gives the spacing at the hull and the water's raster is a size of a ladder like any run.
+// An imported record that gives the spacing at the hull and the water's raster is a size of a grid study like any run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "base/errors.h"
-#include "compare/ladder/ladder.h"
-#include "compare/ladder/ladder_report.h"
+#include "compare/grid_study/grid_study.h"
+#include "compare/grid_study/grid_study_report.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
@@ -31,24 +31,24 @@ RunRecord imported(double spacing, double splash) {
     return r;
 }
 
-Ladder ladder_of(const std::vector<RunRecord>& records) {
-    std::vector<LadderRun> runs;
-    for (const RunRecord& r : records) runs.push_back(ladder_run(r));
-    return build_ladder(std::move(runs));
+GridStudy grid_study_of(const std::vector<RunRecord>& records) {
+    std::vector<GridStudyRun> runs;
+    for (const RunRecord& r : records) runs.push_back(grid_study_run(r));
+    return build_grid_study(std::move(runs));
 }
 
-const LadderQuantity* find(const Ladder& ladder, const std::string& name) {
-    const auto q = std::ranges::find(ladder.quantities, name, &LadderQuantity::name);
-    return q == ladder.quantities.end() ? nullptr : &*q;
+const GridStudyQuantity* find(const GridStudy& grid_study, const std::string& name) {
+    const auto q = std::ranges::find(grid_study.quantities, name, &GridStudyQuantity::name);
+    return q == grid_study.quantities.end() ? nullptr : &*q;
 }
 
-TEST(ImportedSizes, AreASideOfTheLadderWithTheirSplashAndAVerdict) {
-    const Ladder ladder =
-        ladder_of({imported(0.04, 0.5), run_of("sph", 0.04, 0.3), imported(0.08, 0.52), run_of("sph", 0.08, 0.28)});
-    ASSERT_EQ(ladder.sides.size(), 2u);
-    EXPECT_EQ(ladder.sides[1].method, "other code");
-    EXPECT_EQ(ladder.sides[1].runs.size(), 2u);
-    const LadderQuantity* splash = find(ladder, "splash_sheet_height");
+TEST(ImportedSizes, AreASideOfTheGridStudyWithTheirSplashAndAVerdict) {
+    const GridStudy grid_study =
+        grid_study_of({imported(0.04, 0.5), run_of("sph", 0.04, 0.3), imported(0.08, 0.52), run_of("sph", 0.08, 0.28)});
+    ASSERT_EQ(grid_study.sides.size(), 2u);
+    EXPECT_EQ(grid_study.sides[1].method, "other code");
+    EXPECT_EQ(grid_study.sides[1].runs.size(), 2u);
+    const GridStudyQuantity* splash = find(grid_study, "splash_sheet_height");
     ASSERT_NE(splash, nullptr);
     ASSERT_EQ(splash->values[1].levels.size(), 2u);
     EXPECT_EQ(splash->values[1].levels.front().h, 0.04);
@@ -56,23 +56,23 @@ TEST(ImportedSizes, AreASideOfTheLadderWithTheirSplashAndAVerdict) {
     EXPECT_GT(splash->values[1].estimate.uncertainty, 0);
     EXPECT_TRUE(splash->verdict == Verdict::differ || splash->verdict == Verdict::undecided)
         << to_string(splash->verdict) << splash->reason;
-    EXPECT_NE(find(ladder, "lift")->verdict, Verdict::not_comparable);
-    EXPECT_NE(ladder_text(ladder).find("| other code"), std::string::npos);
+    EXPECT_NE(find(grid_study, "lift")->verdict, Verdict::not_comparable);
+    EXPECT_NE(grid_study_text(grid_study).find("| other code"), std::string::npos);
 }
 
 TEST(ImportedSizes, WithoutASpacingOrARasterSayWhatIsMissing) {
     RunRecord bare = imported(0.04, 0.5);
     bare.numbers.erase("near_hull");
     try {
-        ladder_of({bare});
+        grid_study_of({bare});
         FAIL() << "a size without a size";
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("other code record has no spacing"), std::string::npos) << e.what();
     }
     RunRecord dry = imported(0.04, 0.5);
     dry.frames.clear();
-    const Ladder ladder = ladder_of({dry, run_of("sph", 0.04, 0.3)});
-    const LadderQuantity* splash = find(ladder, "splash_sheet_height");
+    const GridStudy grid_study = grid_study_of({dry, run_of("sph", 0.04, 0.3)});
+    const GridStudyQuantity* splash = find(grid_study, "splash_sheet_height");
     ASSERT_NE(splash, nullptr);
     EXPECT_EQ(splash->verdict, Verdict::not_comparable);
     EXPECT_NE(splash->reason.find("other code: no size has a mean; at 0.04 m: not measured"), std::string::npos)

@@ -30,8 +30,8 @@ TEST(Probes, AProbesMeanIsThatOfTheScenesTimeWhateverTheRecordsStepsAndEnd) {
     ASSERT_NE(mean, nullptr);
     EXPECT_NEAR(mean->values[0].value, 100, 1e-9);
     EXPECT_NEAR(mean->values[1].value, 100, 1e-9);
-    EXPECT_FALSE(mean->judged);  // no interval without a ladder
-    EXPECT_TRUE(mean->judged_in_ladder);
+    EXPECT_FALSE(mean->judged);  // no interval without a grid study
+    EXPECT_TRUE(mean->judged_in_grid_study);
     EXPECT_FALSE(c.find("pressure:P1")->judged);  // a peak is not
     const Comparison cut = compare_records({tank("sph", 2, 1), tank("fvm", 1.5, 1)});
     EXPECT_FALSE(cut.find("pressure_mean:P1")->values[1].known);
@@ -80,18 +80,18 @@ TEST(Probes, APeakIsJudgedByItsImpulseAndNotByItsSound) {
         return std::pair(q->values[0].value, q->values[1].value);
     };
     EXPECT_EQ(values("pressure:P1"), std::pair(46e3, 1e3));
-    EXPECT_FALSE(c.find("pressure:P1")->judged || c.find("pressure:P1")->judged_in_ladder) << "raw: by no one";
+    EXPECT_FALSE(c.find("pressure:P1")->judged || c.find("pressure:P1")->judged_in_grid_study) << "raw: by no one";
     const auto [with_sound, without] = values("pressure_peak:P1");
     EXPECT_NEAR(with_sound, 1000 + 45e3 * 1e-4 / 5e-3, 1) << "a triangle of 0.2 ms, over 5 ms";
     EXPECT_NEAR(without, 1000, 1e-6);
-    EXPECT_TRUE(c.find("pressure_peak:P1")->judged_in_ladder);
+    EXPECT_TRUE(c.find("pressure_peak:P1")->judged_in_grid_study);
     EXPECT_NEAR(values("pressure_p99:P1").first, 1000, 1) << "0.01 % of the time";
-    EXPECT_TRUE(c.find("pressure_p99:P1")->judged_in_ladder);
+    EXPECT_TRUE(c.find("pressure_p99:P1")->judged_in_grid_study);
     const auto [a, b] = values("pressure_arrival:P1");
     EXPECT_NEAR(a, 1, 1.1e-4);
     EXPECT_NEAR(b, 1, 1.1e-3);
     EXPECT_EQ(c.find("pressure_arrival:P1")->unit, "s");
-    EXPECT_TRUE(c.find("pressure_arrival:P1")->judged_in_ladder);
+    EXPECT_TRUE(c.find("pressure_arrival:P1")->judged_in_grid_study);
 }
 
 TEST(Probes, APeakIsAMeanOverTheTimeThatTheSceneSays) {
@@ -101,7 +101,7 @@ TEST(Probes, APeakIsAMeanOverTheTimeThatTheSceneSays) {
     const Quantity& peak = *c.find("pressure_peak:P1");
     EXPECT_NEAR(peak.values[0].value, 1000 + 45e3 * 1e-4 / 1e-3, 1) << "a triangle of 0.2 ms, over 1 ms";
     EXPECT_NE(peak.label.find("mean over 1 ms"), std::string::npos) << peak.label;
-    EXPECT_TRUE(peak.judged_in_ladder) << "with an interval, as that over 5 ms";
+    EXPECT_TRUE(peak.judged_in_grid_study) << "with an interval, as that over 5 ms";
 }
 
 TEST(Probes, AProbeThatNothingReachesHasNoArrival) {

@@ -177,9 +177,9 @@ TEST(Report, WhatToDoNextKeepsTheStudysOwnSizeAndSaysItsTime) {
         r.phases = {{"solving", 120, 200}};
     }
     Comparison c = compare_records(records);
-    const NextStep twins = next_steps(c).front();
-    EXPECT_TRUE(has(twins.what, "at this study's 40 mm")) << twins.what;
-    EXPECT_EQ(twins.command, "twinwake run prism.toml --scale 1.54 --speed '8 m/s'");
+    const NextStep coarser_members = next_steps(c).front();
+    EXPECT_TRUE(has(coarser_members.what, "at this study's 40 mm")) << coarser_members.what;
+    EXPECT_EQ(coarser_members.command, "twinwake run prism.toml --scale 1.54 --speed '8 m/s'");
     c.discretisation_from = "runs of 3 sizes";
     for (Quantity& q : c.quantities) q.verdict = Verdict::agree;
     for (Quantity& q : c.quantities)

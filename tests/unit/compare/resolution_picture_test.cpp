@@ -9,7 +9,7 @@
 #include "compare/report/comparison_tables.h"
 #include "compare/report/svg_plot.h"
 #include "meshes/generate.h"
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 
 namespace tw {
 namespace resolution_picture_test {

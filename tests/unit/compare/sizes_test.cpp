@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/ladder/judge_by_sizes.h"
-#include "compare/ladder/ladder_report.h"
+#include "compare/grid_study/grid_study_report.h"
+#include "compare/grid_study/judge_by_sizes.h"
 #include "compare/metrics/box_walls.h"
 #include "compare/report/report_files.h"
 #include "tests/unit/compare/synthetic_pair.h"
@@ -30,11 +30,11 @@ RunRecord member(const std::string& method, double limit, double error, double h
 
 constexpr double spacings[] = {0.04, 0.0565685, 0.08};
 
-std::vector<LadderRun> runs_of(double sph_error, double fvm_limit, double fvm_error) {
-    std::vector<LadderRun> runs;
+std::vector<GridStudyRun> runs_of(double sph_error, double fvm_limit, double fvm_error) {
+    std::vector<GridStudyRun> runs;
     for (const double h : spacings) {
-        runs.push_back(ladder_run(member("sph", 2800, sph_error, h)));
-        runs.push_back(ladder_run(member("fvm", fvm_limit, fvm_error, h)));
+        runs.push_back(grid_study_run(member("sph", 2800, sph_error, h)));
+        runs.push_back(grid_study_run(member("fvm", fvm_limit, fvm_error, h)));
     }
     return runs;
 }
@@ -47,8 +47,8 @@ TEST(Sizes, ThreeSizesPutTheDiscretisationErrorIntoTheVerdictEverywhere) {
     Comparison c = finest(100, 2800, 10);
     const Quantity before = *c.find("lift");
     ASSERT_EQ(before.verdict, Verdict::not_estimated);
-    const Ladder ladder = build_ladder(runs_of(100, 2800, 10));
-    judge_by_sizes(c, ladder);
+    const GridStudy grid_study = build_grid_study(runs_of(100, 2800, 10));
+    judge_by_sizes(c, grid_study);
     const Quantity& lift = *c.find("lift");
     // 2900 and 2810 N: 90 N apart, and 100 N of it is the error of the coarser family
     EXPECT_GT(before.interval, 0);
@@ -75,37 +75,37 @@ TEST(Sizes, ThreeSizesPutTheDiscretisationErrorIntoTheVerdictEverywhere) {
 
 TEST(Sizes, TwoLimitsDiffer) {
     Comparison c = finest(10, 3200, 10);
-    judge_by_sizes(c, build_ladder(runs_of(10, 3200, 10)));
+    judge_by_sizes(c, build_grid_study(runs_of(10, 3200, 10)));
     EXPECT_EQ(c.find("lift")->verdict, Verdict::differ);
     EXPECT_TRUE(has(c.find("lift")->sentence, "SPH 13 % below interFoam")) << c.find("lift")->sentence;
     EXPECT_TRUE(has(c.find("lift")->sentence, ": they differ.")) << c.find("lift")->sentence;
 }
 
 TEST(Sizes, ValuesWithoutAHalfWidthThatJumpHaveAnIntervalOfTheirJumps) {
-    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
+    std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
     const double peak[] = {23411, 42600, 24849};  // a peak has no scatter of its own
     int k = 0;
-    for (LadderRun& r : runs)
+    for (GridStudyRun& r : runs)
         for (Quantity& q : r.quantities)
             if (q.name == "lift" && r.method == "sph") q.values[0].value = peak[k++], q.values[0].half_width = 0;
-    const Ladder ladder = build_ladder(runs);
-    ASSERT_EQ(ladder.quantities[0].name, "lift");
-    EXPECT_GT(ladder.quantities[0].values[0].uncertainty, 19000);
-    EXPECT_EQ(ladder.quantities[0].verdict, Verdict::no_answer);
+    const GridStudy grid_study = build_grid_study(runs);
+    ASSERT_EQ(grid_study.quantities[0].name, "lift");
+    EXPECT_GT(grid_study.quantities[0].values[0].uncertainty, 19000);
+    EXPECT_EQ(grid_study.quantities[0].verdict, Verdict::no_answer);
 }
 
-TEST(Sizes, OfThreeSourcesEachPairHasTheLaddersVerdictAndWhatIsInNoLadderHasNone) {
+TEST(Sizes, OfThreeSourcesEachPairHasTheGridStudiesVerdictAndWhatIsInNoGridStudyHasNone) {
     RunRecord tank = member("towing tank", 2805, 0, 0.04);
     tank.numbers.erase("near_hull");
-    const Ladder ladder = build_ladder(runs_of(10, 3200, 10));
-    // in another order than the ladder's sides: the sign follows the sources
+    const GridStudy grid_study = build_grid_study(runs_of(10, 3200, 10));
+    // in another order than the grid study's sides: the sign follows the sources
     Comparison c = compare_records({tank, member("fvm", 3200, 10, 0.04), member("sph", 2800, 10, 0.04)});
     const Quantity before = *c.find("lift");
-    judge_by_sizes(c, ladder);
+    judge_by_sizes(c, grid_study);
     const Quantity& lift = *c.find("lift");
     ASSERT_EQ(lift.pairs.size(), 3u);
     EXPECT_EQ(lift.pairs[2].verdict, Verdict::differ);
-    EXPECT_DOUBLE_EQ(lift.pairs[2].difference, -ladder.quantities[0].difference);
+    EXPECT_DOUBLE_EQ(lift.pairs[2].difference, -grid_study.quantities[0].difference);
     EXPECT_TRUE(has(lift.pairs[2].sentence, "they differ")) << lift.pairs[2].sentence;
     for (const std::size_t k : {0u, 1u}) {
         EXPECT_EQ(lift.pairs[k].verdict, Verdict::not_estimated);
@@ -115,12 +115,12 @@ TEST(Sizes, OfThreeSourcesEachPairHasTheLaddersVerdictAndWhatIsInNoLadderHasNone
 }
 
 TEST(Sizes, AMethodWithoutTwinsKeepsWhatOneSizeSays) {
-    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
-    std::erase_if(runs, [](const LadderRun& r) { return r.method == "fvm" && r.spacing > 0.05; });
-    Ladder ladder = build_ladder(runs);
-    ladder.left_out = {"interFoam at 0.08 m: failed: snappyHexMesh"};
+    std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
+    std::erase_if(runs, [](const GridStudyRun& r) { return r.method == "fvm" && r.spacing > 0.05; });
+    GridStudy grid_study = build_grid_study(runs);
+    grid_study.left_out = {"interFoam at 0.08 m: failed: snappyHexMesh"};
     Comparison c = finest(100, 2800, 10);
-    judge_by_sizes(c, ladder);
+    judge_by_sizes(c, grid_study);
     EXPECT_EQ(c.find("lift")->verdict, Verdict::not_estimated);
     EXPECT_TRUE(std::isfinite(c.find("lift")->values[0].uncertainty));
     EXPECT_FALSE(std::isfinite(c.find("lift")->values[1].uncertainty));
@@ -128,10 +128,10 @@ TEST(Sizes, AMethodWithoutTwinsKeepsWhatOneSizeSays) {
 }
 
 TEST(Sizes, OneMethodHasItsErrorBarAndNoVerdict) {
-    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
-    std::erase_if(runs, [](const LadderRun& r) { return r.method == "fvm"; });
+    std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
+    std::erase_if(runs, [](const GridStudyRun& r) { return r.method == "fvm"; });
     Comparison c = compare_records({member("sph", 2800, 100, 0.04)});
-    judge_by_sizes(c, build_ladder(runs));
+    judge_by_sizes(c, build_grid_study(runs));
     EXPECT_GT(c.find("lift")->values[0].uncertainty, 80);
     EXPECT_TRUE(has(c.find("lift")->sentence, "Lift: 2900 ± ")) << c.find("lift")->sentence;
     EXPECT_TRUE(has(c.find("lift")->sentence, "N by SPH, discretisation error ±")) << c.find("lift")->sentence;
@@ -141,34 +141,34 @@ TEST(Sizes, OneMethodHasItsErrorBarAndNoVerdict) {
 TEST(Sizes, ARunThatFailedIsNotJudgedByItsTwins) {
     Comparison c = finest(100, 2800, 10);
     c.sources[0].state = "failed";
-    judge_by_sizes(c, build_ladder(runs_of(100, 2800, 10)));
+    judge_by_sizes(c, build_grid_study(runs_of(100, 2800, 10)));
     EXPECT_EQ(c.find("lift")->verdict, Verdict::not_estimated);
 }
 
 /// The coarsest run of a method with something changed.
 template <class Change>
-LadderVariation varied(const std::string& method, const std::string& name, double steps, bool box, Change change) {
+GridStudyVariation varied(const std::string& method, const std::string& name, double steps, bool box, Change change) {
     RunRecord r = member(method, 2800, method == "sph" ? 100 : 10, 0.08);
     change(r);
-    return {name, 2, ladder_run(r), steps, box};
+    return {name, 2, grid_study_run(r), steps, box};
 }
 
-double lift_mean(const LadderRun& run) {
+double lift_mean(const GridStudyRun& run) {
     for (const Quantity& q : run.quantities)
         if (q.name == "lift") return q.values[0].value;
     return 0;
 }
 
 TEST(Sizes, TheBoxCountsInBothMethodsAndNotInTheirDifference) {
-    const std::vector<LadderRun> runs = runs_of(100, 2800, 10);
-    LadderVariation wide = varied("fvm", "box x 1.5", 1, true, [](RunRecord& r) {
+    const std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
+    GridStudyVariation wide = varied("fvm", "box x 1.5", 1, true, [](RunRecord& r) {
         r.numbers["domain_y_min"] = -3, r.numbers["domain_y_max"] = 3, r.numbers["domain_z_min"] = -2.4;
     });
     const double base = lift_mean(wide.run);
     for (Quantity& q : wide.run.quantities)
         if (q.name == "lift") q.values[0].value *= 0.95;  // the walls are worth 5 % and more
-    const Ladder without = build_ladder(runs), ladder = build_ladder(runs, {wide});
-    const LadderQuantity &a = without.quantities[0], &b = ladder.quantities[0];
+    const GridStudy without = build_grid_study(runs), grid_study = build_grid_study(runs, {wide});
+    const GridStudyQuantity &a = without.quantities[0], &b = grid_study.quantities[0];
     ASSERT_EQ(b.name, "lift");
     const double share = 0.05 / (1 - 1 / 2.25);  // the cross section is 2.25 times as large
     for (std::size_t k = 0; k < 2; ++k) {
@@ -177,7 +177,7 @@ TEST(Sizes, TheBoxCountsInBothMethodsAndNotInTheirDifference) {
     }
     EXPECT_DOUBLE_EQ(a.interval, b.interval);
     EXPECT_EQ(a.verdict, b.verdict);
-    const std::string text = ladder_text(ladder), page = ladder_html(ladder);
+    const std::string text = grid_study_text(grid_study), page = grid_study_html(grid_study);
     for (const std::string& out : {text, page}) EXPECT_TRUE(has(out, "8.9 %") || has(out, "9 %")) << out;
     EXPECT_TRUE(has(page, "inverse of the water"));
 }
@@ -186,7 +186,7 @@ TEST(Sizes, TheBoxCountsInBothMethodsAndNotInTheirDifference) {
 TEST(Sizes, WhatAWiderBoxMeasuresIsSaidInPlaceOfWhatWasExpected) {
     const std::string expected = "the walls of the box (1.5 m to the side) are expected to raise the lift by 12 %";
     const auto judged = [&](const std::string& walls, double change, double wider = 1.5) {
-        LadderVariation wide = varied("fvm", "box x 1.5", 1, true, [&](RunRecord& r) {
+        GridStudyVariation wide = varied("fvm", "box x 1.5", 1, true, [&](RunRecord& r) {
             r.numbers["domain_y_min"] = -2 * wider, r.numbers["domain_y_max"] = 2 * wider;
             r.numbers["domain_z_min"] = -1.6 * wider;
         });
@@ -195,7 +195,7 @@ TEST(Sizes, WhatAWiderBoxMeasuresIsSaidInPlaceOfWhatWasExpected) {
         std::vector<RunRecord> records{member("sph", 2800, 100, spacings[0]), member("fvm", 2800, 10, spacings[0])};
         if (!walls.empty()) records[0].attributes["box_walls"] = walls;
         Comparison c = compare_records(std::move(records));
-        judge_by_sizes(c, build_ladder(runs_of(100, 2800, 10), {wide}));
+        judge_by_sizes(c, build_grid_study(runs_of(100, 2800, 10), {wide}));
         return c;
     };
     const auto count = [](const Comparison& c, const std::string& part) {
@@ -212,67 +212,67 @@ TEST(Sizes, WhatAWiderBoxMeasuresIsSaidInPlaceOfWhatWasExpected) {
 }
 
 TEST(Sizes, AChoiceThatDidNotChangeTheStepsIsRefusedAsEvidence) {
-    const std::vector<LadderRun> runs = runs_of(100, 2800, 10);
-    LadderVariation half =
+    const std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
+    GridStudyVariation half =
         varied("fvm", "half the Courant number", 2, false, [](RunRecord& r) { r.steps = 1.17 * r.steps; });
     for (Quantity& q : half.run.quantities)
         if (q.name == "lift") q.values[0].value += 50;
-    const Ladder refused = build_ladder(runs, {half});
-    const LadderValue& fvm = refused.quantities[0].values[1];
+    const GridStudy refused = build_grid_study(runs, {half});
+    const GridStudyValue& fvm = refused.quantities[0].values[1];
     ASSERT_EQ(fvm.sensitivities.size(), 1u);
     EXPECT_FALSE(std::isfinite(fvm.sensitivities[0].uncertainty));
     EXPECT_EQ(fvm.choices, 0);
     ASSERT_EQ(refused.notes.size(), 1u);
     EXPECT_TRUE(has(refused.notes[0], "half the Courant number: no evidence")) << refused.notes[0];
     EXPECT_TRUE(has(refused.notes[0], "1.17 times as many where 2 times were meant")) << refused.notes[0];
-    EXPECT_TRUE(has(ladder_text(refused), "no evidence"));
+    EXPECT_TRUE(has(grid_study_text(refused), "no evidence"));
 
     half.run.steps *= 1.5 / 1.17;  // half way: three times the change is left
-    const Ladder part = build_ladder(runs, {half});
+    const GridStudy part = build_grid_study(runs, {half});
     EXPECT_NEAR(part.quantities[0].values[1].sensitivities[0].uncertainty, 3 * 50, 1e-6);
     half.run.steps *= 2 / 1.5;
-    const Ladder full = build_ladder(runs, {half});
+    const GridStudy full = build_grid_study(runs, {half});
     EXPECT_NEAR(full.quantities[0].values[1].sensitivities[0].uncertainty, 2 * 50, 1e-6);
     EXPECT_TRUE(full.notes.empty());
 }
 
 TEST(Sizes, StepsThatDoNotFollowTheSpacingAreSaid) {
-    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
-    EXPECT_TRUE(build_ladder(runs).notes.empty());
+    std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
+    EXPECT_TRUE(build_grid_study(runs).notes.empty());
     const double counted[] = {1275, 1260, 1259};
     int k = 0;
-    for (LadderRun& r : runs)
+    for (GridStudyRun& r : runs)
         if (r.method == "fvm") r.steps = counted[k++];
-    const Ladder ladder = build_ladder(runs);
-    ASSERT_EQ(ladder.notes.size(), 1u);
-    EXPECT_TRUE(has(ladder.notes[0], "interFoam: 1275, 1260, 1259 time steps at 3 sizes")) << ladder.notes[0];
+    const GridStudy grid_study = build_grid_study(runs);
+    ASSERT_EQ(grid_study.notes.size(), 1u);
+    EXPECT_TRUE(has(grid_study.notes[0], "interFoam: 1275, 1260, 1259 time steps at 3 sizes")) << grid_study.notes[0];
 }
 
 TEST(Sizes, RunsWithOtherNumbersOfSizesOfParticlesAreSaidNotToBeSimilar) {
-    std::vector<LadderRun> runs = runs_of(100, 2800, 10);
-    for (LadderRun& r : runs) r.element_sizes = 2;
-    EXPECT_TRUE(build_ladder(runs).notes.empty());
-    std::ranges::max_element(runs, {}, [](const LadderRun& r) { return r.spacing; })->element_sizes = 1;
-    const Ladder ladder = build_ladder(runs);
-    ASSERT_EQ(ladder.notes.size(), 1u);
-    EXPECT_TRUE(has(ladder.notes[0], "the runs are not similar")) << ladder.notes[0];
+    std::vector<GridStudyRun> runs = runs_of(100, 2800, 10);
+    for (GridStudyRun& r : runs) r.element_sizes = 2;
+    EXPECT_TRUE(build_grid_study(runs).notes.empty());
+    std::ranges::max_element(runs, {}, [](const GridStudyRun& r) { return r.spacing; })->element_sizes = 1;
+    const GridStudy grid_study = build_grid_study(runs);
+    ASSERT_EQ(grid_study.notes.size(), 1u);
+    EXPECT_TRUE(has(grid_study.notes[0], "the runs are not similar")) << grid_study.notes[0];
     RunRecord record = member("sph", 2800, 10, spacings[0]);
     record.numbers["levels"] = 3;
-    EXPECT_EQ(ladder_run(record).element_sizes, 3);
+    EXPECT_EQ(grid_study_run(record).element_sizes, 3);
 }
 
 TEST(Sizes, AWiderBoxIsFoundAmongRecords) {
-    std::vector<LadderRun> runs;
+    std::vector<GridStudyRun> runs;
     for (const double h : spacings) {
         RunRecord r = member("fvm", 2800, 10, h);
         r.attributes["family_hash"] = "family";
-        runs.push_back(ladder_run(r));
+        runs.push_back(grid_study_run(r));
     }
     RunRecord wide = member("fvm", 2800, 10, 0.08);
     wide.attributes["family_hash"] = "wide";
     wide.numbers["domain_y_min"] = -3, wide.numbers["domain_y_max"] = 3;
-    runs.push_back(ladder_run(wide));
-    const std::vector<LadderVariation> found = take_variations(runs);
+    runs.push_back(grid_study_run(wide));
+    const std::vector<GridStudyVariation> found = take_variations(runs);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_TRUE(found[0].box);
     EXPECT_EQ(found[0].name, "box x 1.5");
@@ -280,7 +280,7 @@ TEST(Sizes, AWiderBoxIsFoundAmongRecords) {
 }
 
 TEST(Sizes, AnotherSceneTakesTheRelativeErrorAndSaysFromWhere) {
-    const RelativeErrors errors = relative_errors(build_ladder(runs_of(100, 2800, 10)), "prism, 6 m/s");
+    const RelativeErrors errors = relative_errors(build_grid_study(runs_of(100, 2800, 10)), "prism, 6 m/s");
     Comparison c = finest(400, 2800, 40);  // 3200 and 2840 N: alone they look apart by 12 %
     judge_by_errors_of(c, errors);
     const Quantity& lift = *c.find("lift");

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "compare/ladder/judge_by_sizes.h"
-#include "compare/ladder/ladder.h"
+#include "compare/grid_study/grid_study.h"
+#include "compare/grid_study/judge_by_sizes.h"
 
 namespace tw {
 namespace sound_test {
@@ -86,16 +86,16 @@ TEST(Sound, APeakOfTheFlowIsJudgedHoweverHigh) {
     EXPECT_NEAR(sound_time(struck("sph", dp, 24, 7000, false)), 6 * dp / 24, 1e-12);
 }
 
-TEST(Sound, ALadderLeavesItOutAndTheReportSaysWhy) {
-    std::vector<LadderRun> runs;
+TEST(Sound, AGridStudyLeavesItOutAndTheReportSaysWhy) {
+    std::vector<GridStudyRun> runs;
     for (const double size : {dp, 1.4142 * dp, 2 * dp}) {
-        runs.push_back(ladder_run(struck("sph", size, 24, 7000, true)));
-        runs.push_back(ladder_run(struck("fvm", size, 0, 7000 * (1 - 5 * size), false)));
+        runs.push_back(grid_study_run(struck("sph", size, 24, 7000, true)));
+        runs.push_back(grid_study_run(struck("fvm", size, 0, 7000 * (1 - 5 * size), false)));
     }
-    const Ladder ladder = build_ladder(runs);
+    const GridStudy grid_study = build_grid_study(runs);
     Comparison c =
         compare_records({struck("sph", dp, 24, 7000, true), struck("fvm", dp, 0, 7000 * (1 - 5 * dp), false)});
-    judge_by_sizes(c, ladder);
+    judge_by_sizes(c, grid_study);
     const Quantity& peak = *c.find("pressure_peak:P");
     EXPECT_TRUE(std::isnan(peak.values[0].bar()));
     EXPECT_TRUE(std::isfinite(peak.values[1].bar())) << "the other method's stands";

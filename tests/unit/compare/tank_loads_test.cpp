@@ -42,7 +42,7 @@ TEST(TankLoads, OfASurgeImpulseAndLargestForceAreCompared) {
     EXPECT_NEAR(peak->values[1].value, -90, 0.2);
     EXPECT_EQ(impulse->unit, "N s");
     EXPECT_EQ(impulse->label, "Impulse of the force along x by 1 s");
-    EXPECT_TRUE(impulse->judged_in_ladder);
+    EXPECT_TRUE(impulse->judged_in_grid_study);
     EXPECT_FALSE(find(c, "load_impulse_z")) << "a thousandth of the other";
     const Quantity* mean = find(c, "drag");
     ASSERT_TRUE(mean);

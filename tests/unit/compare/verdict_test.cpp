@@ -52,7 +52,7 @@ TEST(Verdict, WhatBothShareWidensTheInterval) {
     EXPECT_NE(q.remark.find("the draft"), std::string::npos);
 }
 
-TEST(Verdict, TheRuleOfALadder) {
+TEST(Verdict, TheRuleOfAGridStudy) {
     EXPECT_EQ(decide(2, 2.5, 0.05, 100), Verdict::agree);
     EXPECT_EQ(decide(-3, 2.5, 0.05, 100), Verdict::differ);
     EXPECT_EQ(decide(5, 12, 0.05, 100), Verdict::undecided);

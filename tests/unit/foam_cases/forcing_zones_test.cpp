@@ -195,13 +195,13 @@ TEST(LevelAtEnds, IsTheMeanOfTheBoxesFirstAndLastTenthWithoutTheZones) {
     const RunRecord held = channel_with_level(scene, 0.001, -0.003);
     EXPECT_NEAR(held.series("samples", "level_at_inlet")->values.back(), 0.001, 1e-12);
     EXPECT_NEAR(held.series("samples", "level_at_outlet")->values.back(), -0.003, 1e-12);
-    ASSERT_EQ(held.certificate.size(), 1u);
-    EXPECT_NEAR(held.certificate[0].value, 0.5, 1e-9) << "of the depth; the start does not count";
-    EXPECT_TRUE(held.certificate[0].met());
+    ASSERT_EQ(held.validity_checks.size(), 1u);
+    EXPECT_NEAR(held.validity_checks[0].value, 0.5, 1e-9) << "of the depth; the start does not count";
+    EXPECT_TRUE(held.validity_checks[0].met());
     const RunRecord risen = channel_with_level(scene, 0.069, 0.069);
-    EXPECT_FALSE(risen.certificate.at(0).met()) << "69 of 200 mm";
+    EXPECT_FALSE(risen.validity_checks.at(0).met()) << "69 of 200 mm";
     scene.effects.back().on = false;
-    EXPECT_TRUE(channel_with_level(scene, 0.069, 0.069).certificate.empty());
+    EXPECT_TRUE(channel_with_level(scene, 0.069, 0.069).validity_checks.empty());
 }
 
 }  // namespace foam_zones_test

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "compare/ladder/ladder.h"
+#include "compare/grid_study/grid_study.h"
 #include "compare/metrics/splash.h"
 #include "import_folder.h"
 #include "record/raster_grid.h"
@@ -261,7 +261,7 @@ TEST_F(ImportTest, WaterBecomesFramesAndTheSizeAtTheHullANumber) {
                     }
             EXPECT_EQ(wet, 4 * 2 * 2);
         }
-        EXPECT_EQ(ladder_run(r).spacing, 0.04);
+        EXPECT_EQ(grid_study_run(r).spacing, 0.04);
         EXPECT_NEAR(splash_series(r, 0).find("raw_height")->values[1], 0.75, 1e-9);
     }
 }

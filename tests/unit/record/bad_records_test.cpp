@@ -68,15 +68,15 @@ TEST(BadRecords, AFormatThatNeverWasIsDamage) {
     EXPECT_TRUE(says(refusal(otherwise(folder, [](hid_t file) { set_version(file, 0); })), "the first was 1"));
 }
 
-TEST(BadRecords, ARecordFromBeforeCertificateAndResolutionIsRead) {
+TEST(BadRecords, ARecordFromBeforeValidityChecksAndResolutionIsRead) {
     const ScratchFolder folder;
-    ASSERT_FALSE(example_record().certificate.empty());
+    ASSERT_FALSE(example_record().validity_checks.empty());
     ASSERT_FALSE(example_record().resolution.empty());
     const auto path = otherwise(folder, [](hid_t file) {
         for (const char* group : {"certificate", "resolution"}) ASSERT_GE(H5Ldelete(file, group, H5P_DEFAULT), 0);
     });
     const RunRecord old = read_record(path);
-    EXPECT_TRUE(old.certificate.empty());
+    EXPECT_TRUE(old.validity_checks.empty());
     EXPECT_TRUE(old.resolution.empty());
     EXPECT_EQ(old.tables.size(), example_record().tables.size());
 }
@@ -159,12 +159,13 @@ TEST(BadRecords, ScalarsThatCannotBeAreRefusedByTheirKey) {
     EXPECT_TRUE(says(refusal_of([](RunRecord& r) { r.bodies[1].surface.triangles[0][2] = 4; }),
                      "body_buoy: a triangle names a point that is not there"));
     expect(refusal_of([&](RunRecord& r) { r.effects[0].cost = nan; }), "effects/air/cost = nan; expected");
-    expect(refusal_of([&](RunRecord& r) { r.certificate[0].limit = nan; }), "certificate/Mach number/limit = nan");
-    expect(refusal_of([&](RunRecord& r) { r.certificate[0].time = infinite; }), "certificate/Mach number/time = inf");
-    expect(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan; }), "certificate/Mach number/value = nan");
+    expect(refusal_of([&](RunRecord& r) { r.validity_checks[0].limit = nan; }), "certificate/Mach number/limit = nan");
+    expect(refusal_of([&](RunRecord& r) { r.validity_checks[0].time = infinite; }),
+           "certificate/Mach number/time = inf");
+    expect(refusal_of([&](RunRecord& r) { r.validity_checks[0].value = nan; }), "certificate/Mach number/value = nan");
     expect(refusal_of([&](RunRecord& r) { r.resolution[1].size = 0; }), "resolution/size = 0; expected");
     expect(refusal_of([&](RunRecord& r) { r.resolution[1].box.max.z() = infinite; }), "resolution/box = inf; expected");
-    EXPECT_EQ(refusal_of([&](RunRecord& r) { r.certificate[0].value = nan, r.state = "failed"; }), "")
+    EXPECT_EQ(refusal_of([&](RunRecord& r) { r.validity_checks[0].value = nan, r.state = "failed"; }), "")
         << "what a run failed of may be no number";
 }
 

@@ -48,7 +48,7 @@ inline RunRecord example_record() {
                   0.4,
                   {{"arrival", 0, 0.14, "-", "measured", ""}, {"peak", 0.01, 0.02, "Pa", "Ma^2", "particles"}}},
                  {"viscosity", true, false, "", "", 0}};
-    r.certificate = {{"Mach number", "-", 0.31, 1, 0.25, {1, 2, -0.5}}, {"particles lost", "-", 0, 0, 0.5}};
+    r.validity_checks = {{"Mach number", "-", 0.31, 1, 0.25, {1, 2, -0.5}}, {"particles lost", "-", 0, 0, 0.5}};
     r.resolution = {{0.4, {{-1.5, 0, -0.25}, {2, 1, 0.5}}}, {0.2, {{-1, 0, -0.25}, {1.0 / 3.0, 0.5, 0.5}}}};
     r.state = "stopped";
     r.reason = "the user asked";

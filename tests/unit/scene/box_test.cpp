@@ -1,4 +1,4 @@
-// The box round a hull in a stream: the wider one of a ladder, and what its walls are expected to be worth.
+// The box round a hull in a stream: the wider one of a grid study, and what its walls are expected to be worth.
 #include <fmt/format.h>
 #include "scene/box/box_walls.h"
 #include "scene/hash.h"
@@ -56,7 +56,7 @@ TEST(Box, ABedStaysWhereItIs) {
     EXPECT_NEAR(scene_of(above_the_bed, wide()).domain.box.min.z(), -1.4, 1e-9);
 }
 
-// The walls of a towing tank are part of the question: nothing is estimated of them and no twin moves them.
+// The walls of a towing tank are part of the question: nothing is estimated of them and no wider box moves them.
 TEST(Box, SidesThatAreMeantStayWhereTheyAre) {
     const std::string walls = "side = 1.5\nsides = \"walls\"\n";
     const std::string channel = prism(walls, "[water]\ndepth = 1.2"), bottomless = prism(walls + "below = 1.2\n");

@@ -124,7 +124,7 @@ TEST(FamilyHash, IsTheSameAtEverySizeOfOneScene) {
     EXPECT_EQ(family_hash(scene_of(planing), "sph"), family_hash(scene_of(planing, near), "sph"));
 }
 
-TEST(FamilyHash, SeesTheVariationsOfALadder) {
+TEST(FamilyHash, SeesTheVariationsOfAGridStudy) {
     SceneOverrides sound, step, courant;
     sound.sound_speed_factor = 1.5;
     step.time_step_factor = courant.courant_factor = 0.5;

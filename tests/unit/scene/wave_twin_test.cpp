@@ -117,8 +117,8 @@ TEST(CalmTwin, IsMadeWhereTheSceneWantsIt) {
     EXPECT_FALSE(wants_wave_twin(scene_of(hull_in_waves("calm_twin = \"off\"\n"))));
     EXPECT_TRUE(wants_wave_twin(scene_of(hull_in_waves("calm_twin = \"on\"\n"))));
     EXPECT_NE(complaint(box_in_waves("calm_twin = \"on\"\n")).find("a hull in a stream"), std::string::npos);
-    EXPECT_EQ(folder_of_twins(scene_of(hull_in_waves())), calm_twins_folder);
-    EXPECT_EQ(folder_of_twins(scene_of(box_in_waves())), empty_twins_folder);
+    EXPECT_EQ(folder_of_coarser_members(scene_of(hull_in_waves())), calm_twins_folder);
+    EXPECT_EQ(folder_of_coarser_members(scene_of(box_in_waves())), empty_twins_folder);
 }
 
 }  // namespace wave_twin_of_scene_test

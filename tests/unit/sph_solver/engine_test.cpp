@@ -282,7 +282,7 @@ TEST(Engine, ASoundSpeedThatIsTooLowStopsTheRunWithPlaceAndReason) {
     }
 }
 
-TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
+TEST(Engine, TheValidityChecksNamesThePlaceOfTheWorst) {
     const SimulationSetup s = tank();
     Simulation simulation(s, column(s));
     RunRecord record;
@@ -291,8 +291,8 @@ TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
         watch_stability(simulation, record);
     }
     std::size_t densest = 0;
-    const auto compression = std::ranges::find(record.certificate, "compression", &CertificateLine::name);
-    ASSERT_NE(compression, record.certificate.end());
+    const auto compression = std::ranges::find(record.validity_checks, "compression", &RecordedCheck::name);
+    ASSERT_NE(compression, record.validity_checks.end());
     simulation.fields_to_set().drho[29] = 150;  // 15 %: more than is trusted, and than anything the falling column does
     const Vec3 there(simulation.particles().x[29], simulation.particles().y[29], simulation.particles().z[29]);
     simulation.step();
@@ -302,7 +302,7 @@ TEST(Engine, TheCertificateNamesThePlaceOfTheWorst) {
     EXPECT_NEAR(compression->value, simulation.particles().drho[densest] / 10, 1e-6);
     EXPECT_LT((compression->place - there).norm(), 2 * s.dp);
     EXPECT_EQ(compression->time, simulation.time());
-    for (const CertificateLine& line : record.certificate)
+    for (const RecordedCheck& line : record.validity_checks)
         EXPECT_EQ(line.met(), line.name != "compression") << line.name;
 }
 

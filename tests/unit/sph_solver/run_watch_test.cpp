@@ -64,7 +64,7 @@ TEST(RunWatch, EndsARunWhoseWaterHasEnergyFromNothing) {
         return cause_of([&] { RunWatch({.speed = 3}).after_frame(two_frames(motion, kinetic, potential)); });
     };
     EXPECT_EQ(cause("none", 8, -8), "");  // it fell
-    EXPECT_EQ(cause("none", 8, -4), "");  // a fault, and the certificate's to tell
+    EXPECT_EQ(cause("none", 8, -4), "");  // a fault, and the validity checks's to tell
     EXPECT_NE(cause("none", 8, -3).find("5 J more are in the water at t = 0.5 s"), std::string::npos);
     EXPECT_NE(cause("none", std::nan(""), 0), "");
     EXPECT_EQ(cause("stream", 35, 0), "");

@@ -7,7 +7,7 @@
 namespace tw {
 namespace judge_test {
 
-HardCaseRun run_with(const std::vector<CertificateLine>& lines) {
+HardCaseRun run_with(const std::vector<RecordedCheck>& lines) {
     HardCaseRun run;
     run.steps = 100;
     run.lines = lines;

@@ -54,7 +54,7 @@ TEST(StabilityReport, AMapHasAColouredCellForEachPairOfValues) {
     EXPECT_NE(svg.find(">Ma 0.1<"), std::string::npos);
 }
 
-TEST(StabilityReport, ProgramsGetEveryCellWithItsCertificate) {
+TEST(StabilityReport, ProgramsGetEveryCellWithItsValidityChecks) {
     const auto json = nlohmann::json::parse(stability_json(two_cells(), true));
     EXPECT_EQ(json["stable"], 1);
     EXPECT_EQ(json["failed"], 1);

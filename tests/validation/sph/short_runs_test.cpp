@@ -72,8 +72,8 @@ TEST(CylinderEntry, IsAsDeepAsABoundaryElementMethodSaysWhileItIsSlowed) {
     const double lost = energy(0) - energy(t.time.size() - 1);
     EXPECT_GT(lost, 10) << "J/m; or no water slows it";
     EXPECT_NEAR(-t.find(body_work)->values.back() / lost, 1, 0.01);
-    const auto made = std::ranges::find(run.record.certificate, "energy made", &CertificateLine::name);
-    ASSERT_NE(made, run.record.certificate.end());
+    const auto made = std::ranges::find(run.record.validity_checks, "energy made", &RecordedCheck::name);
+    ASSERT_NE(made, run.record.validity_checks.end());
     EXPECT_TRUE(made->met());
     EXPECT_LT(made->value, 0.01) << "% of the potential energy";
 }

@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "prism.h"
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 #include "sph_solver/equations/packing.h"
 #include "sph_solver/fit_solids.h"
 #include "sph_solver/measure/packing.h"
@@ -55,7 +55,7 @@ struct Rest {
     double kinetic = 0;       ///< over the potential energy, at the end
     double packing = 0;       ///< mean of the kernel supports under water less 1
     double most_crowded = 0;  ///< the largest of them less 1
-    double crowding = 0;      ///< of the certificate
+    double crowding = 0;      ///< of the validity checks
 };
 
 /// Mean height at which the kernel support is a half, over columns of samples clear of the walls.
@@ -137,7 +137,7 @@ TEST(StillWaterRoundSolids, KeepsItsVolumePressesAndRests) {
     }
 }
 
-/// The fault that the term mends, or the test above sees nothing. The certificate of a run tells it.
+/// The fault that the term mends, or the test above sees nothing. The validity checks of a run tells it.
 TEST(StillWaterRoundSolids, ShrinksAndStirsWhereDensityDoesNotFollowPacking) {
     const Rest r = shown(box, 0.02, 1.55, 0, 4);
     EXPECT_LT(r.volume, -0.006);
