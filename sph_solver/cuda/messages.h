@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "sph_solver/fields/field_list.h"
+#include "sph_solver/loops/pack_state.h"
 #include "sph_solver/neighbours/pencil_grid.h"
 
 namespace tw::cuda {

@@ -8,8 +8,8 @@
 #include "base/numbers.h"
 #include "meshes/mass_properties.h"
 #include "record/body_work.h"
-#include "record/certificate.h"
 #include "record/hull_motion.h"
+#include "record/recorded_checks.h"
 #include "record/spray_table.h"
 #include "record/tank_table.h"
 #include "record/wet_wall.h"
@@ -108,6 +108,10 @@ Recorder::Recorder(const Scene& scene, const Simulation& simulation, RunRecord r
 }
 
 void Recorder::after_step(Simulation& simulation, bool frame) {
+    if (!simulation.refinements().empty()) {
+        sizes_ = level_ledgers(simulation);
+        zone_mass_.add(sizes_);
+    }
     const std::size_t row = forces().append(simulation.time());
     if (!simulation.setup().bodies.empty()) {
         const std::optional<std::size_t> hull = simulation.hull_index();
@@ -139,7 +143,7 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
     if (!pressure_points_.places.empty() &&
         (frame || is_due(record_.table("pressure"), simulation.time(), pressure_interval)))
         probe_pressure(simulation);
-    watch_stability(simulation, record_);
+    watch_stability(simulation, sizes_, record_);
     if (frame) watch_energy(record_);
 }
 
@@ -243,7 +247,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     record_walls(simulation, k);
     height_probes_.record(simulation, record_);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
-    record_levels(simulation);
+    record_levels(simulation.time());
 }
 
 /// Of each body that moves, in a table of its own: where it is, how it moves, and the water's force on it.
@@ -300,19 +304,16 @@ void Recorder::record_walls(Simulation& simulation, std::size_t row) {
 }
 
 /// Of each size of particles, in a table of its own: who is there, and what has passed the edge of its zone.
-void Recorder::record_levels(const Simulation& simulation) {
-    const std::size_t edges = simulation.refinements().size();
-    if (edges == 0) return;
-    const std::vector<LevelLedger> sizes = level_ledgers(simulation);
-    for (std::size_t k = 0; k <= edges; ++k) {
-        const LevelLedger& l = sizes[k];
+void Recorder::record_levels(double time) {
+    for (std::size_t k = 0; k < sizes_.size(); ++k) {
+        const LevelLedger& l = sizes_[k];
         Table& t = record_.table(level_table(k));
-        const std::size_t row = t.append(simulation.time());
+        const std::size_t row = t.append(time);
         const auto put = [&](const char* name, double value, const char* unit = "-") { t.set(row, name, unit, value); };
         put("spacing", l.spacing, "m");
         put("dt", l.dt, "s");
         put("active", double(l.active));
-        if (k < edges) {
+        if (k + 1 < sizes_.size()) {
             put("band", double(l.overlap));
             put("carried", double(l.slaves));
         }
@@ -322,7 +323,8 @@ void Recorder::record_levels(const Simulation& simulation) {
         put("deaths", double(l.edge.merges));
         put("spray", double(l.edge.spray));
         put("orphans", double(l.edge.orphans));
-        put("mass_drift", 100 * l.mass_drift, "%");
+        put("mass_drift", 100 * zone_mass_.take_mean(k), "%");
+        check_zone_mass(t, record_);
     }
 }
 

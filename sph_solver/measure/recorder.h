@@ -5,8 +5,10 @@
 #include "scene/scene.h"
 #include "sph_solver/bodies/samples.h"
 #include "sph_solver/measure/height_probes.h"
+#include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/measure/tank_balance.h"
+#include "sph_solver/measure/zone_mass.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -32,7 +34,7 @@ private:
     void sample_surface(Simulation& simulation, std::size_t row);
     void sample_frame(Simulation& simulation, std::size_t row);
     void begin_balance(Simulation& simulation);
-    void record_levels(const Simulation& simulation);
+    void record_levels(double time);
     void record_bodies(const Simulation& simulation);
     void record_walls(Simulation& simulation, std::size_t row);
     void probe_pressure(Simulation& simulation);
@@ -55,6 +57,8 @@ private:
     bool momentum_known_ = false;
     bool volume_held_ = true;  ///< since then, by particles of its size
     double last_face_sample_ = 0;
+    std::vector<LevelLedger> sizes_;  ///< after the last step; empty: the particles have one size
+    ZoneMass zone_mass_;
     std::optional<TankBalance> tank_;  ///< of one that moves
 };
 

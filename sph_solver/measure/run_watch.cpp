@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 
 namespace tw {
 

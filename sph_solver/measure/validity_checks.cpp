@@ -1,10 +1,9 @@
 #include "sph_solver/measure/validity_checks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "record/certificate.h"
+#include "record/recorded_checks.h"
 #include "sph_solver/air.h"
 #include "sph_solver/measure/level_ledger.h"
 
@@ -12,13 +11,10 @@ namespace tw {
 
 namespace {
 
-void watch_edges(const Simulation& simulation, RunRecord& record) {
-    if (simulation.refinements().empty()) return;
-    const std::vector<LevelLedger> sizes = level_ledgers(simulation);
+void watch_edges(double t, const std::vector<LevelLedger>& sizes, RunRecord& record) {
     for (std::size_t k = 1; k < sizes.size(); ++k) {
         const LevelLedger &coarse = sizes[k - 1], &fine = sizes[k];
-        const double t = simulation.time(), dependent = double(fine.buffers + coarse.overlap + coarse.slaves);
-        note_worst(record, {mass_drift_line, "%", 100 * std::abs(fine.mass_drift), 0.5, t});
+        const auto dependent = double(fine.buffers + coarse.overlap + coarse.slaves);
         note_worst(record, {orphans_line, "%", dependent > 0 ? 100 * double(fine.edge.orphans) / dependent : 0, 1, t});
     }
 }
@@ -26,9 +22,14 @@ void watch_edges(const Simulation& simulation, RunRecord& record) {
 }  // namespace
 
 void watch_stability(const Simulation& simulation, RunRecord& record) {
+    watch_stability(simulation,
+                    simulation.refinements().empty() ? std::vector<LevelLedger>() : level_ledgers(simulation), record);
+}
+
+void watch_stability(const Simulation& simulation, const std::vector<LevelLedger>& sizes, RunRecord& record) {
     const LevelSetup& setup = simulation.setup();
     const double t = simulation.time(), c0 = setup.state_equation.c0, percent = 100 / setup.rho0;
-    const Vec3 nowhere = CertificateLine{}.place;
+    const Vec3 nowhere = RecordedCheck{}.place;
     double held_down = std::numeric_limits<double>::infinity(), lost = 0;
     for (const auto& level : simulation.levels()) {
         const double c = level->setup().state_equation.c0 + level->extremes().speed;
@@ -49,7 +50,7 @@ void watch_stability(const Simulation& simulation, RunRecord& record) {
         note_worst(record, {"Mach number of the air", "-", air->extremes().speed / air->setup().state_equation.c0,
                             trusted_air_mach, t, air->extremes().fastest_place});
     note_worst(record, {"particles lost", "-", lost, 0, t, nowhere});
-    watch_edges(simulation, record);
+    watch_edges(t, sizes, record);
     for (const auto& body : simulation.bodies())
         if (const std::optional<double> made = body->energy_made_lately())
             note_worst(record, {interface_line, "%", 100 * *made, 100 * trusted_interface_energy, t, nowhere});

@@ -1,5 +1,8 @@
 #pragma once
+#include <vector>
+
 #include "record/run_record.h"
+#include "sph_solver/measure/level_ledger.h"
 #include "sph_solver/simulation.h"
 
 namespace tw {
@@ -18,12 +21,15 @@ namespace tw {
 ///
 /// and, with several sizes of particles, the worst of all edges between them,
 ///
-///   mass drift             |Refinement::mass_drift|                  0.5 % (a warning)
 ///   orphans                of the buffer particles and parents of an edge      1 % (a warning)
 ///
+/// (the drift of a zone's mass is checked at frames, zone_mass.h)
 /// and, with elastic bodies,
 ///
 ///   energy made            ElasticBody::energy_made_lately           50 % (a warning: unstable by its added mass)
+/// `sizes`: level_ledgers of a simulation with several sizes of particles; of others it may be empty.
+void watch_stability(const Simulation& simulation, const std::vector<LevelLedger>& sizes, RunRecord& record);
+/// The same for who has not counted them.
 void watch_stability(const Simulation& simulation, RunRecord& record);
 
 }  // namespace tw
