@@ -127,8 +127,7 @@ def halving(points):
         else:
             at = ", ".join(f"± {share:g} % at {two_digits(math.exp(t + (math.log(share) - u) / slope))} s"
                            for share in (5, 2, 1))
-            text = (f"- {name}: the interval falls with the power {-slope:.2f} of the time; half the interval costs "
-                    f"{2 ** (-1 / slope):.2g} times as much; the line reaches {at}.")
+            text = f"- {name}: the interval falls with the power {-slope:.2f} of the time; extrapolated: {at}."
             lines += textwrap.wrap(text, 120, subsequent_indent="  ", break_on_hyphens=False)
     return lines
 
