@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/errors.h"
 #include "base/read_file.h"
@@ -14,6 +15,19 @@ namespace tw {
 namespace {
 
 namespace fs = std::filesystem;
+
+// All keys of the tables in which something is required: a misspelt one is named before what is missing without it.
+const std::set<std::string> keys_of_scene{"methods", "levels", "ratio", "changes", "uncertain"},
+    keys_of_case{"name", "title", "family", "tier", "why", "shows", "shows_not", "scene", "quantity"},
+    keys_of_reading{"table", "column", "kind", "from", "to", "at", "threshold"},
+    keys_of_quantity{"name",   "label",  "unit",        "scene",    "reading", "known_miss", "truth", "formula",
+                     "csv",    "record", "parameters",  "column",   "row",     "along",      "at",    "factor",
+                     "offset", "source", "uncertainty", "standing", "scale",   "goal"};
+
+std::set<std::string> both(std::set<std::string> some, const std::set<std::string>& others) {
+    some.insert(others.begin(), others.end());
+    return some;
+}
 
 /// What is changed of a scene: the same as on the command line of `run`.
 void read_changes(Section s, SuiteScene& scene) {
@@ -46,6 +60,7 @@ SuiteScene read_suite_scene(Section& s, const TextValue& raw, const std::string&
 }
 
 Reading read_reading(Section s) {
+    refuse_others_than(keys_of_reading, s);
     Reading r;
     const auto needed = [&](const char* key, const char* what) {
         const std::optional<std::string> text = s.text(key);
@@ -68,6 +83,7 @@ Reading read_reading(Section s) {
 }
 
 SuiteQuantity read_quantity(Section s, const TextValue& raw, const SuiteCase& of) {
+    refuse_others_than(keys_of_quantity, s);
     SuiteQuantity q;
     const std::optional<std::string> name = s.text("name");
     if (!name || name->empty())
@@ -99,6 +115,9 @@ SuiteQuantity read_quantity(Section s, const TextValue& raw, const SuiteCase& of
 }
 
 SuiteCase read_case(Section s, const TextValue& raw, const std::string& name) {
+    const TextValue* scene = raw.find("scene");
+    const bool several = scene && scene->kind == TextValue::Kind::list;
+    refuse_others_than(several ? keys_of_case : both(keys_of_case, keys_of_scene), s);
     SuiteCase c;
     c.name = s.identifier("name", name);
     c.title = s.text("title", c.name);
@@ -107,12 +126,12 @@ SuiteCase read_case(Section s, const TextValue& raw, const std::string& name) {
     c.why = s.text("why", "");
     if (c.why.empty()) s.fail("why", "missing; expected a sentence why the case matters");
     c.shows = s.text("shows", ""), c.shows_not = s.text("shows_not", "");
-    const TextValue* scene = raw.find("scene");
-    if (scene && scene->kind == TextValue::Kind::list) {
+    if (several) {
         const std::vector<TextValue>& raw_scenes = scene->list;
         std::vector<Section> scenes = s.sections("scene");
         for (std::size_t k = 0; k < scenes.size(); ++k) {
             Section& one = scenes[k];
+            refuse_others_than(both({"name", "file"}, keys_of_scene), one);
             SuiteScene read = read_suite_scene(one, raw_scenes[k], "file");
             read.name = one.identifier("name", "");
             one.finish();
@@ -157,6 +176,7 @@ Suite read_suite(const fs::path& folder) {
     suite.folder = folder;
     const TextValue document = document_of(file);
     Section s(file, "", &document);
+    refuse_others_than({"title", "case"}, s);
     suite.title = s.text("title", folder.filename().string());
     std::vector<Section> inline_cases = s.sections("case");
     for (std::size_t k = 0; k < inline_cases.size(); ++k) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/read_file.h"
 #include "suite/formulas.h"
@@ -28,6 +29,9 @@ double by_formula(Section& s, const std::string& name, SuiteQuantity& q) {
     if (formula->unit != q.judged.unit)
         s.fail("formula", fmt::format("is in {}, and the quantity's unit is {}", formula->unit, q.judged.unit));
     Section given = s.section("parameters");
+    std::set<std::string> names;
+    for (const TruthFormula::Parameter& p : formula->parameters) names.insert(p.name);
+    refuse_others_than(names, given);
     std::vector<double> values;
     for (const TruthFormula::Parameter& p : formula->parameters) {
         const std::optional<double> value = given.number(p.name, p.unit);
@@ -39,7 +43,6 @@ double by_formula(Section& s, const std::string& name, SuiteQuantity& q) {
         }
         values.push_back(value.value_or(p.fallback));
     }
-    given.finish();
     const double value = formula->value(values);
     if (!std::isfinite(value)) s.fail("formula", "gives no finite number with these parameters");
     q.judged.truth.half_width = formula->half_width * std::abs(value);
@@ -110,6 +113,11 @@ double from_csv(Section& s, const TextValue& raw, const std::string& name) {
 }
 
 }  // namespace
+
+void refuse_others_than(const std::set<std::string>& known, Section section) {
+    for (const std::string& key : known) section.know(key);
+    section.finish();  // of this copy: what is known and not read is still found by the section's own
+}
 
 std::optional<SizeOrShare> size_or_share(Section& s, const TextValue& raw, const std::string& key,
                                          const std::string& unit) {

@@ -143,6 +143,46 @@ TEST_F(Suites, WhatIsWrongIsSaidWithItsPlace) {
     EXPECT_THROW(read_suite(folder / "none"), InputError);
 }
 
+// What is missing without a misspelt key is not what is wrong.
+TEST_F(Suites, AMisspeltKeyIsNamedWithItsPlaceAndTheNearestOne) {
+    const std::string required = "[[case.quantity]]\nname = \"p\"\nunit = \"m\"\nsource = \"s\"\ntruth = 1\ngoal = 1\n";
+    const auto misspelt = [&](const std::string& text, const std::string& key, const std::string& as,
+                              const std::string& place) {
+        std::string wrong = text;
+        wrong.replace(wrong.find("\n" + key + " =") + 1, key.size(), as);
+        const std::string said = refusal(wrong);
+        EXPECT_NE(said.find("suite.toml:" + place), std::string::npos) << said;
+        EXPECT_NE(said.find(as), std::string::npos) << said;
+        EXPECT_NE(said.find("did you mean '" + key + "'?"), std::string::npos) << said;
+    };
+    const std::string all = "[[case]]\n" + head + required;
+    misspelt(all, "why", "whi", "3:1: [[case]] whi = ");
+    misspelt(all, "scene", "scen", "4:1: [[case]] scen = ");
+    misspelt(all, "unit", "units", "7:1: [[quantity]] units = ");
+    misspelt(all, "source", "sorce", "8:1: [[quantity]] sorce = ");
+    misspelt(all, "truth", "trut", "9:1: [[quantity]] trut = ");
+    misspelt(all, "goal", "gaol", "10:1: [[quantity]] gaol = ");
+    const std::string reading = all + "[case.quantity.reading]\ntable = \"t\"\ncolumn = \"c\"\n";
+    misspelt(reading, "table", "tabel", "12:1: [reading] tabel = ");
+    misspelt(reading, "column", "colum", "13:1: [reading] colum = ");
+    const std::string formula = "[[case]]\n" + head +
+                                "[[case.quantity]]\nname = \"p\"\nunit = \"m\"\ngoal = 1\nformula = \"free_fall\"\n"
+                                "[case.quantity.parameters]\ntime = 1\n";
+    misspelt(formula, "formula", "formul", "9:1: [[quantity]] formul = ");
+    misspelt(formula, "time", "tim", "11:1: [parameters] tim = ");
+    const std::string several =
+        "[[case]]\nname = \"a\"\nwhy = \"w\"\n[[case.scene]]\nname = \"b\"\nfile = \"b.toml\"\n";
+    misspelt(several + required, "file", "fil", "6:1: [[scene]] fil = ");
+    EXPECT_NE(refusal("titel = \"t\"\n").find("suite.toml:1:1: titel = "), std::string::npos);
+    write("cases/c.toml",
+          "why = \"c\"\nscene = \"c.toml\"\n[[quantity]]\nname = \"p\"\nunit = \"m\"\nsource = \"s\"\ntruth = 1\naim = "
+          "1\n");
+    const std::string said = refusal("title = \"t\"\n");  // nothing is near, and still it is the key that is unknown
+    EXPECT_NE(said.find("c.toml:8:1: [[quantity]] aim = 1: unknown key; this section knows: along"), std::string::npos)
+        << said;
+    fs::remove(folder / "cases/c.toml");
+}
+
 TEST(Formulas, ByHand) {
     const auto of = [](const char* name, std::vector<double> p) { return find_formula(name)->value(p); };
     EXPECT_DOUBLE_EQ(of("hydrostatic_pressure", {1000, 9.81, 2}), 19620);
