@@ -13,6 +13,7 @@
 #include "compare/verdict/left_out.h"
 #include "import/import.h"
 #include "methods/methods.h"
+#include "suite/basis.h"
 #include "text/did_you_mean.h"
 
 namespace tw::app {
@@ -214,10 +215,26 @@ void take_measured(ValidatedQuantity& judged, const SuiteQuantity& q, const Scen
     if (q.goal_share) judged.goal = *q.goal_share * judged.scale;
 }
 
-ValidatedQuantity judged_quantity(const SuiteQuantity& q, const PlannedScene& scene, const SceneHarvest& harvest) {
+std::vector<std::map<std::string, ValueBasis>> bases_of(const SuiteCase& c) {
+    std::vector<std::map<std::string, ValueBasis>> all(c.quantities.size());
+    for (std::size_t s = 0; s < c.scenes.size(); ++s)
+        for (const std::string& method : method_names()) try {
+                const std::string scene = scene_digest(c.scenes[s], method);
+                for (std::size_t k = 0; k < all.size(); ++k)
+                    if (const SuiteQuantity& q = c.quantities[k]; q.scene == s)
+                        all[k][method] = {scene, definition_digest(q, c.scenes[s]), truth_digest(q)};
+            } catch (const InputError&) {}
+    return all;
+}
+
+ValidatedQuantity judged_quantity(const SuiteQuantity& q, const PlannedScene& scene, const SceneHarvest& harvest,
+                                  std::map<std::string, ValueBasis> basis) {
     ValidatedQuantity judged = q.judged;
-    for (const std::string& method : scene.methods)
+    judged.basis = std::move(basis);
+    for (const std::string& method : scene.methods) {
         judged.values.push_back(value_of(q, method, harvest, scene.near_hull));
+        judged.values.back().made_for = judged.basis[method];
+    }
     if (harvest.grid_study && judged.label.empty())
         for (const GridStudyQuantity& l : harvest.grid_study->quantities)
             if (l.name == judged.name) judged.label = l.label;
@@ -239,6 +256,7 @@ ValidatedQuantity judged_quantity(const SuiteQuantity& q, const PlannedScene& sc
 ValidatedCase case_not_run(const PlannedCase& planned, ValidatedCase c) {
     for (const SuiteQuantity& q : planned.of->quantities) {
         ValidatedQuantity& judged = c.quantities.emplace_back(q.judged);
+        judged.basis = planned.bases[c.quantities.size() - 1];
         if (judged.label.empty()) judged.label = judged.name;
         ValidatedValue v;
         v.outcome = planned.wrong ? Outcome::failed : Outcome::not_run;
@@ -256,7 +274,7 @@ ValidatedCase case_not_run(const PlannedCase& planned, ValidatedCase c) {
 }  // namespace
 
 PlannedCase plan_case(const SuiteCase& of, const ValidationRules& rules, const fs::path& out) {
-    PlannedCase planned{&of, {}, false, {}};
+    PlannedCase planned{&of, {}, false, {}, bases_of(of)};
     const auto rank = [](const std::string& tier) {
         return std::ranges::find(suite_tiers(), tier) - suite_tiers().begin();
     };
@@ -308,8 +326,10 @@ std::optional<ValidatedCase> judge_case(const PlannedCase& planned, Campaign& ca
             at->core_seconds += cost.core_seconds, at->seconds += cost.seconds, at->runs += cost.runs;
         }
     }
-    for (const SuiteQuantity& q : of.quantities)
-        c.quantities.push_back(judged_quantity(q, planned.scenes[q.scene], harvests[q.scene]));
+    for (std::size_t k = 0; k < of.quantities.size(); ++k) {
+        const SuiteQuantity& q = of.quantities[k];
+        c.quantities.push_back(judged_quantity(q, planned.scenes[q.scene], harvests[q.scene], planned.bases[k]));
+    }
     return c;
 }
 

@@ -67,7 +67,7 @@ int finish(const ValidateCommand& command, ValidationReport report, const fs::pa
     if (!command.keep.empty()) {
         ValidationReport earlier = read_validation(command.keep);
         if (!earlier.estimator.empty()) judge_by(earlier, uncertainty_methods().front());
-        keep_values(report, earlier);
+        for (const std::string& refused : keep_values(report, earlier)) complain("--keep: " + refused);
     }
     if (!command.estimator.empty()) judge_by(report, command.estimator);
     std::vector<ValidationChange> changes;

@@ -1,6 +1,7 @@
 #include "compare/truth/validation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -89,20 +90,56 @@ std::map<NameOfValue, Named> values_of(const ValidationReport& report) {
 
 bool was_run(const ValidatedValue& v) { return v.outcome != Outcome::not_run; }
 
-/// Whether any value was taken.
-bool keep_values(ValidatedQuantity& q, const ValidatedQuantity& old) {
+/// "its scene has changed since 0.1.0 (4bc74fc4), 2026-11-29"; empty: nothing has, or it is not known.
+std::string changed_since(const ValidatedValue& was, const ValueBasis& is) {
+    if (!was.made_for.known() || !is.known()) return "";
+    std::vector<const char*> parts;
+    if (was.made_for.scene != is.scene) parts.push_back("scene");
+    if (was.made_for.definition != is.definition) parts.push_back("definition");
+    if (was.made_for.truth != is.truth) parts.push_back("measured truth");
+    if (parts.empty()) return "";
+    return fmt::format("its {} {} changed since {}, {}", fmt::join(parts, " and "), parts.size() > 1 ? "have" : "has",
+                       was.version, was.date);
+}
+
+ValidatedValue& value_by(ValidatedQuantity& q, const std::string& method) {
+    const auto found = std::ranges::find(q.values, method, &ValidatedValue::method);
+    if (found != q.values.end()) return *found;
+    q.values.emplace_back().method = method;
+    return q.values.back();
+}
+
+struct Keeping {
+    bool any_kept = false;
+    std::vector<std::string> refused = {};  ///< "SPH: not run with this version: ..."
+};
+Keeping keep_values(ValidatedQuantity& q, const ValidatedQuantity& old) {
+    Keeping keeping;
     std::vector<ValidatedValue> kept;
     for (ValidatedValue v : old.values) {
         const auto now = std::ranges::find(q.values, v.method, &ValidatedValue::method);
         if (!was_run(v) || (now != q.values.end() && was_run(*now))) continue;
+        const ValueBasis& basis = q.basis[v.method];
+        if (const std::string changed = changed_since(v, basis); !changed.empty()) {
+            ValidatedValue& refused = value_by(q, v.method);
+            refused.why_not = refused.kept_note = "not run with this version: " + changed;
+            keeping.refused.push_back(method_label(v.method) + ": " + refused.why_not);
+            continue;
+        }
         v.kept = true;
+        v.kept_note =
+            v.made_for.known() && basis.known()
+                ? ""
+                : "kept; whether its scene has changed since cannot be known, as the report does not say what "
+                  "it was made for";
         kept.push_back(std::move(v));
     }
-    if (kept.empty()) return false;
+    if (kept.empty()) return keeping;
+    keeping.any_kept = true;
     if (!std::isfinite(q.truth.value)) q.truth = old.truth, q.scale = old.scale, q.goal = old.goal;  // from its runs
     if (q.label.empty() || q.label == q.name) q.label = old.label;
-    // Where a case was run, a method that has no value is not one of its scene's.
-    std::erase_if(q.values, [](const ValidatedValue& v) { return !was_run(v); });
+    // Where a case was run, a method that has no value and was not refused is not one of its scene's.
+    std::erase_if(q.values, [](const ValidatedValue& v) { return !was_run(v) && v.kept_note.empty(); });
     for (ValidatedValue& v : kept) {
         v.discretisation = v.own_discretisation;
         bound_by_spread(v, q);
@@ -110,7 +147,7 @@ bool keep_values(ValidatedQuantity& q, const ValidatedQuantity& old) {
         q.values.push_back(std::move(v));
     }
     std::ranges::sort(q.values, {}, [](const ValidatedValue& v) { return method_rank(v.method); });
-    return true;
+    return keeping;
 }
 
 std::string in_short(const Named& n) {
@@ -190,20 +227,32 @@ void judge_by(ValidationReport& report, const std::string& method) {
             }
 }
 
-void keep_values(ValidationReport& report, const ValidationReport& earlier) {
+std::vector<std::string> keep_values(ValidationReport& report, const ValidationReport& earlier) {
+    std::vector<std::string> refused;
     for (ValidatedCase& c : report.cases) {
         const auto before = std::ranges::find(earlier.cases, c.name, &ValidatedCase::name);
         if (before == earlier.cases.end()) continue;
         bool any = false;
+        std::string why_refused;
         for (ValidatedQuantity& q : c.quantities) {
             const auto old = std::ranges::find(before->quantities, q.name, &ValidatedQuantity::name);
-            if (old != before->quantities.end()) any |= keep_values(q, *old);
+            if (old == before->quantities.end()) continue;
+            const Keeping keeping = keep_values(q, *old);
+            any |= keeping.any_kept;
+            for (const std::string& what : keeping.refused) {
+                refused.push_back(c.name + ", " + q.label + ", " + what);
+                if (why_refused.empty()) why_refused = what;
+            }
         }
-        if (any) c.why_not.clear();
+        if (any)
+            c.why_not.clear();
+        else if (!c.why_not.empty() && !why_refused.empty())
+            c.why_not += "; " + why_refused;
         for (const CaseCost& cost : before->costs)
             if (any && std::ranges::find(c.costs, cost.method, &CaseCost::method) == c.costs.end())
                 c.costs.push_back(cost);
     }
+    return refused;
 }
 
 std::vector<EstimatorSummary> estimators_of(const ValidationReport& report) {

@@ -22,6 +22,13 @@ std::string to_string(Outcome outcome);       ///< "met", "near", "undecided", "
 std::string outcome_label(Outcome outcome);   ///< "met", "within the goal", "undecided", ...
 Outcome outcome_of(const std::string& name);  ///< throws std::out_of_range
 
+/// What a value was made for, as digests (suite/basis.h): of the scene, of how the case defines the quantity, and of a
+/// measured truth. Empty: not known.
+struct ValueBasis {
+    std::string scene, definition, truth;
+    bool known() const { return !scene.empty(); }
+};
+
 /// One method's value of one quantity. Half widths are of 95 % intervals [unit].
 struct ValidatedValue {
     std::string method;
@@ -37,7 +44,9 @@ struct ValidatedValue {
     std::vector<std::pair<double, double>> sizes;  ///< spacing at the hull [m] and value, finest first
     std::string why_not;                           ///< why there is no value, or no interval, or one by the spread
     std::string version = {}, date = {};           ///< of the program and of the day that made its runs
+    ValueBasis made_for = {};                      ///< what it was made for
     bool kept = false;                             ///< of an earlier report: see keep_values
+    std::string kept_note = {};  ///< why an earlier value was not kept, or what is not known of one that was
 
     // what judge_against makes of them
     double E = nan, U_num = nan, U_val = nan;  ///< [unit]
@@ -53,6 +62,7 @@ struct ValidatedQuantity {
     double scale = nan;                             ///< what per cent refer to: |truth|, or what the suite says [unit]
     std::map<std::string, std::string> known_miss;  ///< by method: why it is known to miss
     std::vector<ValidatedValue> values;             ///< one per method that was asked
+    std::map<std::string, ValueBasis> basis = {};   ///< by method: what its values have to be made for
 };
 
 /// The cost of one method in a case, all sizes together.
@@ -99,8 +109,11 @@ inline constexpr const char* small_changes = "small changes";
 inline constexpr double factor_of_spread = 3;
 
 /// Puts what `earlier` knows in the place of values that `report` has not run, case by case, by the name of the quantity
-/// and the method, judges them by the truths and goals of `report`, and marks them as kept. Their cost comes along.
-void keep_values(ValidationReport& report, const ValidationReport& earlier);
+/// and the method, judges them by the truths and goals of `report`, and marks them as kept. Their cost comes along. A value
+/// whose scene, definition or measured truth was another is refused and stays not run, with a note that says so; a value
+/// of which either report does not say what it was made for is kept with a note that says that. Returns the refused ones,
+/// for people: "weir, Mean level, SPH: not run with this version: its scene has changed since 0.1.0 (4bc74fc4), 2026-11-29".
+std::vector<std::string> keep_values(ValidationReport& report, const ValidationReport& earlier);
 
 /// Judges every value anew with the discretisation error by one of uncertainty_methods(): "trend_and_noise" is what every
 /// report has (of two sizes the GCI with an assumed order); of the others a value without an uncertainty is not converged

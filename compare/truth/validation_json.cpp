@@ -13,6 +13,10 @@ namespace {
 using ValidationJson = nlohmann::ordered_json;
 using Read = nlohmann::json;
 
+ValidationJson json_of(const ValueBasis& b) {
+    return {{"scene", b.scene}, {"definition", b.definition}, {"truth", b.truth}};
+}
+
 ValidationJson json_of(const ValidatedValue& v) {
     ValidationJson spacings = ValidationJson::array(), by_size = ValidationJson::array();
     for (const auto& [spacing, value] : v.sizes) spacings.push_back(spacing), by_size.push_back(value);
@@ -47,12 +51,15 @@ ValidationJson json_of(const ValidatedValue& v) {
             {"why_not", v.why_not},
             {"version", v.version},
             {"date", v.date},
-            {"kept", v.kept}};
+            {"made_for", json_of(v.made_for)},
+            {"kept", v.kept},
+            {"kept_note", v.kept_note}};
 }
 
 ValidationJson json_of(const ValidatedQuantity& q) {
-    ValidationJson values = ValidationJson::array();
+    ValidationJson values = ValidationJson::array(), basis = ValidationJson::object();
     for (const ValidatedValue& v : q.values) values.push_back(json_of(v));
+    for (const auto& [method, is] : q.basis) basis[method] = json_of(is);
     return {{"name", q.name},
             {"label", q.label},
             {"unit", q.unit},
@@ -64,6 +71,7 @@ ValidationJson json_of(const ValidatedQuantity& q) {
             {"goal", q.goal},
             {"scale", q.scale},
             {"known_miss", q.known_miss},
+            {"basis", basis},
             {"values", values}};
 }
 
@@ -90,6 +98,8 @@ Convergence convergence_of(const std::string& name) {
     throw InputError("no class of convergence is called " + name);
 }
 
+ValueBasis basis_in(const Read& from) { return {from.at("scene"), from.at("definition"), from.at("truth")}; }
+
 ValidatedValue value_in(const Read& from) {
     ValidatedValue v;
     v.method = from.at("method"), v.value = number_or_nan(from, "value");
@@ -103,6 +113,8 @@ ValidatedValue value_in(const Read& from) {
     v.E = number_or_nan(from, "E"), v.U_num = number_or_nan(from, "U_num"), v.U_val = number_or_nan(from, "U_val");
     v.why_not = from.at("why_not");
     v.version = from.value("version", ""), v.date = from.value("date", ""), v.kept = from.value("kept", false);
+    v.kept_note = from.value("kept_note", "");
+    if (from.contains("made_for")) v.made_for = basis_in(from["made_for"]);  // earlier reports do not say it
     if (from.contains("inputs")) v.inputs = from["inputs"].get<std::map<std::string, double>>();
     v.own_discretisation =
         from.contains("own_discretisation") ? number_or_nan(from, "own_discretisation") : v.discretisation;
@@ -126,6 +138,8 @@ ValidatedQuantity quantity_in(const Read& from) {
     q.goal = number_or_nan(from, "goal"), q.scale = number_or_nan(from, "scale");
     q.known_miss = from.at("known_miss").get<std::map<std::string, std::string>>();
     for (const Read& v : from.at("values")) q.values.push_back(value_in(v));
+    if (from.contains("basis"))
+        for (const auto& [method, is] : from["basis"].items()) q.basis[method] = basis_in(is);
     return q;
 }
 

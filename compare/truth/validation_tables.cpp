@@ -60,12 +60,18 @@ std::string quantity_text(const ValidatedQuantity& q) {
 }
 
 /// Why there is no value or interval, or an odd one, or a miss that is known.
-std::string remark_of(const ValidatedQuantity& q, const ValidatedValue& v) {
+std::string own_remark(const ValidatedQuantity& q, const ValidatedValue& v) {
     if (v.convergence == small_changes)
         return v.why_not + "; U is three times the range of all sizes, which the goal allows";
     if (v.outcome == Outcome::failed || v.outcome == Outcome::not_converged) return v.why_not;
     const auto known = q.known_miss.find(v.method);
     return known != q.known_miss.end() && falls_short(v, q) ? "known: " + known->second : "";
+}
+
+/// That, and what is to be said of an earlier report's value.
+std::string remark_of(const ValidatedQuantity& q, const ValidatedValue& v) {
+    const std::string own = own_remark(q, v);
+    return own + (own.empty() || v.kept_note.empty() ? "" : "; ") + v.kept_note;
 }
 
 constexpr const char* run_with_note =

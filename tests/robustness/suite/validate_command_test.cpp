@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/robustness/app/program.h"
 
@@ -109,6 +110,71 @@ TEST_F(ValidateCommand, WhatIsNotRunIsTakenFromAnEarlierReport) {
     EXPECT_FALSE(run["kept"].get<bool>());
     EXPECT_FALSE(run["version"].get<std::string>().empty());
     EXPECT_EQ(run["date"].get<std::string>().size(), 10u);
+}
+
+// A value that was kept of runs of another scene would stand beside the present truth as if it were of it.
+TEST_F(ValidateCommand, OfAnotherSceneOrDefinitionNothingIsKept) {
+    write("my/still.toml", still);
+    write("my/suite.toml", suite("0.2 m"));
+    ASSERT_EQ(twinwake({"validate", "my", "--out", "out"}).status, 0);
+    fs::rename(folder_ / "out/validation.json", folder_ / "earlier.json");
+    const auto kept_with = [&](const std::string& earlier) {
+        const Outcome o = twinwake({"validate", "my", "--out", "night", "--case", "night", "--keep", earlier});
+        EXPECT_EQ(o.status, 0) << o.err;
+        const nlohmann::json c = report("night/validation.json")["cases"][0];
+        return std::tuple{c["quantities"][0]["values"][0], c["why_not"].get<std::string>(), o};
+    };
+    const auto changed = [](const std::string& text, const std::string& was, const std::string& is) {
+        return std::string(text).replace(text.find(was), was.size(), is);
+    };
+    const auto refused = [&](const std::string& part) {
+        const auto [value, why_not, o] = kept_with("earlier.json");
+        const std::string words = "not run with this version: its " + part + " changed since ";
+        EXPECT_TRUE(says(o, "--keep: still, floor, SPH: " + words)) << o.err;
+        EXPECT_EQ(value["outcome"], "not_run") << part;
+        EXPECT_TRUE(value["value"].is_null()) << part;
+        EXPECT_FALSE(value["kept"].get<bool>()) << part;
+        EXPECT_NE(why_not.find(words), std::string::npos) << why_not;
+    };
+    const auto kept = [&](const char* what) {
+        const auto [value, why_not, o] = kept_with("earlier.json");
+        EXPECT_TRUE(value["kept"].get<bool>() && value["value"].is_number()) << what << ": " << o.err;
+        EXPECT_EQ(value["kept_note"], "") << what;
+    };
+    kept("as it was");
+    write("my/still.toml", changed(still, "title = \"still\"", "title = \"at rest\"  # no number"));
+    kept("a title and a remark");
+    for (const auto& [was, is] : {std::pair{"[0.1, 0, 0]", "[0.1, 0, 0.02]"},             // where it is measured
+                                  {"max = [0.2, 0.02, 0.2]", "max = [0.2, 0.02, 0.18]"},  // how much water there is
+                                  {"near_hull = 0.02", "near_hull = 0.01"},               // its own size
+                                  {"duration = 0.2", "duration = 0.3"},
+                                  {"[run]", "[sph]\ncfl = 0.3\n[run]"}}) {
+        write("my/still.toml", changed(still, was, is));
+        refused("scene has");
+    }
+    write("my/still.toml", still);
+    write("my/suite.toml", changed(suite("0.2 m"), "from = 0.1", "from = 0.15"));
+    refused("definition has");
+    write("my/suite.toml", suite("0.2 m", "levels = 2\n"));
+    refused("definition has");
+    write("my/suite.toml", suite("0.2 m", "uncertain = { tank.size.3 = \"1 mm\" }\n"));
+    refused("scene has");
+    write("my/suite.toml", changed(suite("0.21 m"), "goal = \"10 %\"", "goal = \"20 %\""));
+    kept("its truth and goal, by which it is judged");
+
+    nlohmann::json older = nlohmann::json::parse(content(folder_ / "earlier.json"));  // of a version that says less
+    for (nlohmann::json& c : older["cases"])
+        for (nlohmann::json& q : c["quantities"]) {
+            q.erase("basis");
+            for (nlohmann::json& v : q["values"]) v.erase("made_for"), v.erase("kept_note");
+        }
+    write("older.json", older.dump());
+    const auto [value, why_not, o] = kept_with("older.json");
+    EXPECT_TRUE(value["kept"].get<bool>());
+    EXPECT_NE(value["kept_note"].get<std::string>().find("whether its scene has changed since cannot be known"),
+              std::string::npos);
+    ASSERT_EQ(twinwake({"validate", "night/validation.json", "--out", "again", "--pages", "docs"}).status, 0);
+    EXPECT_NE(content(folder_ / "docs/still.md").find("cannot be known"), std::string::npos);
 }
 
 TEST_F(ValidateCommand, MadeElsewhereTheReportIsTheSame) {
