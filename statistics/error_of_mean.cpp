@@ -33,6 +33,16 @@ double integrated_autocorrelation_time(std::span<const double> x, int fitted) {
 
 double correlated_t_95(double n_eff, int fitted) { return student_t_95(std::max(1.0, (n_eff - fitted) / 6)); }
 
+double half_width_of_mean(std::span<const double> x) {
+    const auto n = static_cast<double>(x.size());
+    if (n < 2) return 0;
+    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
+    double squares = 0;
+    for (const double v : x) squares += (v - mean) * (v - mean);
+    const double s = std::sqrt(squares / (n - 1)), n_eff = n / (2 * integrated_autocorrelation_time(x));
+    return s * std::min(correlated_t_95(n_eff, 1) / std::sqrt(n_eff), 2.0);
+}
+
 double batch_means_error(std::span<const double> x, std::size_t b) {
     const std::size_t n = x.size();
     if (b < 1 || 2 * b > n) return 0;

@@ -22,6 +22,10 @@ double integrated_autocorrelation_time(std::span<const double> x, int fitted = 1
 /// is 2/nu, so nu = (n_eff - fitted)/6.
 double correlated_t_95(double n_eff, int fitted);
 
+/// Half width of the 95 % interval of the mean of a stationary series, from evenly spaced samples [unit of x]: Student's
+/// quantile times s/sqrt(n_eff); no wider than 2 s, where the samples themselves lie. 0 with fewer than two.
+double half_width_of_mean(std::span<const double> x);
+
 /// Standard error of the mean by overlapping batch means (Meketon & Schmeiser 1984), batches of b samples:
 ///
 ///   u^2 = b / ((n - b + 1)(n - b)) sum_j (mean_j - mean)^2

@@ -12,6 +12,7 @@
 #include "compare/metrics/sound.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
+#include "statistics/error_of_mean.h"
 #include "statistics/flow_through.h"
 #include "statistics/time_bins.h"
 
@@ -115,8 +116,19 @@ double rms_per_cent(const RunRecord& a, const RunRecord& b, const std::string& t
                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Time mean over the scene's whole duration, from mean_from on, by trapezia: a history that the scene determines, so
-/// without a statistical interval.
+/// The part of a history between two times, as evenly spaced means.
+std::vector<double> even_samples(std::span<const double> t, std::span<const double> x, double from, double to) {
+    std::vector<double> times, values;
+    for (std::size_t i = 0; i < t.size(); ++i)
+        if (t[i] >= from && t[i] <= to && std::isfinite(x[i])) times.push_back(t[i]), values.push_back(x[i]);
+    constexpr std::size_t most = 1000;
+    return times.size() < 2 ? std::vector<double>{} : time_bins(times, values, std::min(times.size(), most));
+}
+
+/// Time mean over the scene's whole duration, from mean_from on, by trapezia. In a tank the scene determines the history,
+/// and its mean has no statistical interval. A stream without a hull (weir, jump, channel) goes on: the time is a sample
+/// of it, and what its waves and rollers do in other times is the interval of its mean. Waves that the scene makes are
+/// no such scatter.
 MeanValue mean_over_run(const RunRecord& record, const std::string& table, const std::string& column) {
     MeanValue m;
     m.why_not = not_given;
@@ -138,7 +150,8 @@ MeanValue mean_over_run(const RunRecord& record, const std::string& table, const
     }
     m.value = sum / width;
     m.known = std::isfinite(m.value);
-    m.half_width = 0;
+    const bool goes_on = is_stream(record) && !(number_of(record, "wave_period", 0) > 0);
+    m.half_width = goes_on ? half_width_of_mean(even_samples(t, c->values, m.from, m.to)) : 0;
     m.why_not = m.known ? "" : "the record has gaps";
     return m;
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "compare/compare.h"
 #include "tests/unit/compare/synthetic_pair.h"
@@ -35,6 +36,40 @@ TEST(Probes, AProbesMeanIsThatOfTheScenesTimeWhateverTheRecordsStepsAndEnd) {
     EXPECT_FALSE(c.find("pressure:P1")->judged);  // a peak is not
     const Comparison cut = compare_records({tank("sph", 2, 1), tank("fvm", 1.5, 1)});
     EXPECT_FALSE(cut.find("pressure_mean:P1")->values[1].known);
+}
+
+// A roller's level swings by 1 mm with a memory of half a second: 6 s of it are a dozen independent values.
+TEST(Probes, AMeanOfAStreamWithoutAHullHasTheScatterOfItsTimeAndOneOfATankHasNone) {
+    const auto run = [](const std::string& motion, double swing, double wave_period) {
+        RunRecord r = synthetic_run({.method = "sph", .frames = false});
+        r.attributes["motion"] = motion;
+        r.numbers["length"] = 0, r.numbers["mean_from"] = 2, r.numbers["duration"] = 8;
+        if (wave_period > 0) r.numbers["wave_period"] = wave_period;
+        Table& t = r.tables["height"];
+        t.columns = {{"G", "m", {}}};
+        std::mt19937 random(7);
+        std::normal_distribution<double> normal;
+        double state = normal(random);
+        const double rho = std::exp(-0.025 / 0.25);
+        for (int k = 0; k <= 320; ++k) {
+            state = rho * state + std::sqrt(1 - rho * rho) * normal(random);
+            t.time.push_back(0.025 * k);
+            t.columns[0].values.push_back(k < 80 ? -0.5 : 0.1 + swing * state);  // the start counts in nothing
+        }
+        return r;
+    };
+    const auto half_width = [](const RunRecord& r) {
+        const Comparison c = compare_records({r});
+        const Quantity* mean = c.find("height_mean:G");
+        EXPECT_NEAR(mean->values[0].value, 0.1, 1.5e-3);
+        return mean->values[0].half_width;
+    };
+    const double U = half_width(run("stream", 1e-3, 0));
+    EXPECT_GT(U, 0.3e-3);  // 240 samples alone, taken as independent, would give 0.13 mm
+    EXPECT_LT(U, 2e-3);
+    EXPECT_NEAR(half_width(run("stream", 2e-3, 0)), 2 * U, 1e-9);
+    EXPECT_EQ(half_width(run("none", 1e-3, 0)), 0);
+    EXPECT_EQ(half_width(run("stream", 1e-3, 0.5)), 0);
 }
 
 TEST(Probes, APeakIsThatOfTheTimeThatAllRecordsCover) {

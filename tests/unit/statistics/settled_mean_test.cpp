@@ -34,6 +34,32 @@ std::vector<double> steps(std::size_t n, double dt) {
     return t;
 }
 
+TEST(HalfWidthOfMean, HoldsTheMeanOfACorrelatedSeriesInNineteenOfTwentyAndIsNoWiderThanItsValues) {
+    std::mt19937 random(5);
+    for (const double rho : {0.0, 0.6, 0.9}) {
+        int holds = 0;
+        double as_if_independent = 0;
+        constexpr int trials = 1000, n = 240;
+        for (int k = 0; k < trials; ++k) {
+            const std::vector<double> x = ar1(n, rho, 3, random);
+            double mean = 0;
+            for (const double v : x) mean += v / n;
+            holds += std::abs(mean - 3) <= half_width_of_mean(x);
+            as_if_independent += std::abs(mean - 3) <= 1.97 / std::sqrt(n);
+        }
+        EXPECT_GE(holds, 0.9 * trials) << rho;
+        EXPECT_LE(holds, 0.995 * trials) << rho;
+        if (rho > 0.5) {  // or the memory would not matter here
+            EXPECT_LE(as_if_independent, 0.75 * trials) << rho;
+        }
+    }
+    std::vector<double> drifting;
+    for (int k = 0; k < 100; ++k) drifting.push_back(k);
+    EXPECT_NEAR(half_width_of_mean(drifting), 2 * std::sqrt(100 * 101 / 12.0), 1e-9);
+    EXPECT_EQ(half_width_of_mean(std::vector{1.0}), 0);
+    EXPECT_EQ(half_width_of_mean(std::vector{1.0, 1.0, 1.0}), 0);
+}
+
 TEST(Mser5, CutsARampOfFiftySamplesAtItsEnd) {
     std::vector<double> x;
     for (int i = 0; i < 50; ++i) x.push_back(10 - 0.2 * i);
