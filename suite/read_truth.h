@@ -6,8 +6,8 @@
 
 namespace tw {
 
-/// Throws as Section::finish for the first key that is none of these. Before any getter: a misspelt key is then named as
-/// such, and not by what is missing without it.
+/// Throws as Section::finish for the first key that is none of these. Before any getter: a misspelt key is then named
+/// as such, and not by what is missing without it.
 void refuse_others_than(const std::set<std::string>& known, Section section);
 
 /// A size that may be given in per cent: "2 %" is a share of what it belongs to, anything else is in `unit`.

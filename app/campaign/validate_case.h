@@ -26,8 +26,8 @@ struct PlannedCase {
     std::string why_not;  ///< why none of it is run: its tier, its method, a scene that is wrong
     bool wrong = false;   ///< of these the last
     std::vector<PlannedScene> scenes;
-    /// Of each of its quantities by method what a value is made for, whether it is run or not. What cannot be read is not
-    /// known; where that is run, `why_not` says why.
+    /// Of each of its quantities by method what a value is made for, whether it is run or not. What cannot be read is
+    /// not known; where that is run, `why_not` says why.
     std::vector<std::map<std::string, ValueBasis>> bases;
 };
 

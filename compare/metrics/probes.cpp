@@ -125,10 +125,10 @@ std::vector<double> even_samples(std::span<const double> t, std::span<const doub
     return times.size() < 2 ? std::vector<double>{} : time_bins(times, values, std::min(times.size(), most));
 }
 
-/// Time mean over the scene's whole duration, from mean_from on, by trapezia. In a tank the scene determines the history,
-/// and its mean has no statistical interval. A stream without a hull (weir, jump, channel) goes on: the time is a sample
-/// of it, and what its waves and rollers do in other times is the interval of its mean. Waves that the scene makes are
-/// no such scatter.
+/// Time mean over the scene's whole duration, from mean_from on, by trapezia. In a tank the scene determines the
+/// history, and its mean has no statistical interval. A stream without a hull (weir, jump, channel) goes on: the time
+/// is a sample of it, and what its waves and rollers do in other times is the interval of its mean. Waves that the
+/// scene makes are no such scatter.
 MeanValue mean_over_run(const RunRecord& record, const std::string& table, const std::string& column) {
     MeanValue m;
     m.why_not = not_given;

@@ -100,24 +100,26 @@ struct ValidationReport {
 ///   |E| >  U_val  and  |E| >  goal    missed: an error of the model, or of the interval
 void judge_against(ValidatedValue& value, const ValidatedQuantity& quantity);
 
-/// Values whose changes grow from size to size have no limit that could be estimated, but may still all lie close together:
-/// where three times their whole range, 3 (phi_max - phi_min), is at most the goal, that is the discretisation error, and
-/// `convergence` becomes small_changes. The factor is that of Eca & Hoekstra for data without an order (2014,
-/// doi:10.1016/j.jcp.2014.01.006). Nothing happens to other values.
+/// Values whose changes grow from size to size have no limit that could be estimated, but may still all lie close
+/// together: where three times their whole range, 3 (phi_max - phi_min), is at most the goal, that is the
+/// discretisation error, and `convergence` becomes small_changes. The factor is that of Eca & Hoekstra for data without
+/// an order (2014, doi:10.1016/j.jcp.2014.01.006). Nothing happens to other values.
 void bound_by_spread(ValidatedValue& value, const ValidatedQuantity& quantity);
 inline constexpr const char* small_changes = "small changes";
 inline constexpr double factor_of_spread = 3;
 
-/// Puts what `earlier` knows in the place of values that `report` has not run, case by case, by the name of the quantity
-/// and the method, judges them by the truths and goals of `report`, and marks them as kept. Their cost comes along. A value
-/// whose scene, definition or measured truth was another is refused and stays not run, with a note that says so; a value
-/// of which either report does not say what it was made for is kept with a note that says that. Returns the refused ones,
-/// for people: "weir, Mean level, SPH: not run with this version: its scene has changed since 0.1.0 (4bc74fc4), 2026-11-29".
+/// Puts what `earlier` knows in the place of values that `report` has not run, case by case, by the name of the
+/// quantity and the method, judges them by the truths and goals of `report`, and marks them as kept. Their cost comes
+/// along. A value whose scene, definition or measured truth was another is refused and stays not run, with a note that
+/// says so; a value of which either report does not say what it was made for is kept with a note that says that.
+/// Returns the refused ones, for people: "weir, Mean level, SPH: not run with this version: its scene has changed since
+/// 0.1.0 (4bc74fc4), 2026-11-29".
 std::vector<std::string> keep_values(ValidationReport& report, const ValidationReport& earlier);
 
-/// Judges every value anew with the discretisation error by one of uncertainty_methods(): "trend_and_noise" is what every
-/// report has (of two sizes the GCI with an assumed order); of the others a value without an uncertainty is not converged
-/// for the reason that the method gives. The outer intervals, which are made with this program's own, are left out.
+/// Judges every value anew with the discretisation error by one of uncertainty_methods(): "trend_and_noise" is what
+/// every report has (of two sizes the GCI with an assumed order); of the others a value without an uncertainty is not
+/// converged for the reason that the method gives. The outer intervals, which are made with this program's own, are
+/// left out.
 void judge_by(ValidationReport& report, const std::string& method);
 
 /// How often the intervals of one method of estimating the discretisation error hold the truth, of one solver's values.
@@ -159,8 +161,8 @@ struct ValidationChange {
     std::string was, is;
 };
 /// Worse: its outcome is a worse one, or its error has grown by more than a quarter of the goal; better: the reverse. A
-/// value that neither is, is not listed. New and gone are those whose case, quantity and method only one report has with
-/// a value.
+/// value that neither is, is not listed. New and gone are those whose case, quantity and method only one report has
+/// with a value.
 std::vector<ValidationChange> changes_between(const ValidationReport& earlier, const ValidationReport& now);
 
 }  // namespace tw
