@@ -136,8 +136,10 @@ void new_options(CLI::App& c, NewCommand& create) {
         ->required()
         ->check(CLI::IsMember(template_names()));
     c.add_option("file", create.file, "scene file to write")->required();
-    c.add_option("--from", create.from,
-                 "with the template body: STEP, OBJ or STL file, each named solid of which becomes a body of the scene")
+    c.add_option(
+         "--from", create.from,
+         "with the template hull: the hull's file, from whose size draft, speed and resolution are taken; with the "
+         "template body: STEP, OBJ or STL file, each named solid of which becomes a body of the scene")
         ->type_name("FILE");
     add_unit_and_axes(c, create.unit, create.axes);
     c.add_flag("--overwrite", create.overwrite, "replace the file if it is there");

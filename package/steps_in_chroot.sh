@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Runs the steps of package/Containerfile without podman or docker: each stage's RUN lines in a bare Debian 12 below a
-# folder, which debootstrap or mmdebstrap has made, in place of an image. As root.
+# folder in place of an image. A folder that is not there is made by debootstrap; one that is has to be a Debian. As root.
 #
-#   mmdebstrap --variant=apt bookworm /srv/bookworm http://deb.debian.org/debian
 #   package/steps_in_chroot.sh /srv/bookworm [--package build/twinwake_0.1.0_amd64.deb] [--stage installed | test]
 #
 # With --package the stage that builds is left out and this package is installed. --stage is the last one to be run (test).
@@ -21,8 +20,12 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-[ -n "$root" ] && [ -x "$root/usr/bin/apt-get" ] || die "expected the folder of a Debian, found '${root:-nothing}'"
 [ "$(id -u)" = 0 ] || die "chroot needs root"
+if [ -n "$root" ] && [ ! -e "$root" ]; then
+    echo "== a bare Debian 12 in $root"
+    debootstrap --variant=minbase bookworm "$root" http://deb.debian.org/debian
+fi
+[ -n "$root" ] && [ -x "$root/usr/bin/apt-get" ] || die "expected the folder of a Debian, found '${root:-nothing}'"
 
 mounted=()
 leave() { local place; for place in "${mounted[@]}"; do umount -R "$place" || umount -l "$place"; done; }

@@ -38,7 +38,7 @@ struct Making {
 struct NewCommand {
     std::string kind;  ///< of template_names()
     std::filesystem::path file;
-    std::filesystem::path from;            ///< a file whose bodies the scene has; of the template body alone
+    std::filesystem::path from;  ///< the hull's file, or one whose bodies the scene has; of these templates alone
     std::string unit = "m", axes = "xyz";  ///< of that file
     bool overwrite = false;
 };

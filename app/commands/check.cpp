@@ -33,12 +33,13 @@ int run_check(const CheckCommand& command, const Common& common) {
             "memory; the force by the control volume is left out\n",
             bytes_on_gpu(p.most_particles + p.wall_particles, sizes_of_particles(scene) > 1) / 1e9);
     }
-    say(common, text);
+    // Before a word is printed: a reader of the words that has enough, as head has, ends the program.
     if (!command.picture.empty()) write_file(command.picture, svg_file(scene_picture(scene)));
     if (!command.html.empty()) write_file(command.html, check_page(scene, text));
+    write_json(common, check_json(scene, plan.prediction, ranks));
+    say(common, text);
     for (const std::filesystem::path& file : {command.picture, command.html})
         if (!file.empty()) say(common, "written: " + file.string() + "\n");
-    write_json(common, check_json(scene, plan.prediction, ranks));
     return done;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/scene_text.h"
 #include "meshes/read/solids_of_file.h"
 #include "meshes/surface.h"
 
@@ -31,20 +32,6 @@ std::string new_identifier(const std::string& name, const std::vector<std::strin
     return unique;
 }
 
-/// As a basic string of TOML.
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + '"';
-}
-
-/// Ten to a hundred of it make the length [m].
-double step_of(double length) { return std::pow(10, std::floor(std::log10(length)) - 1); }
-double rounded_up(double length, double step) { return std::ceil(length / step - 1e-9) * step; }
-
 std::string corner(Vec3 at) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", at.x(), at.y(), at.z()); }
 
 }  // namespace
@@ -52,8 +39,7 @@ std::string corner(Vec3 at) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", at.
 std::string scene_of_bodies(const std::filesystem::path& surface_file, const std::string& unit, const std::string& axes,
                             const std::filesystem::path& scene) {
     const std::vector<std::string> names = names_of_bodies(solids_of_file(surface_file));
-    const auto folder = std::filesystem::absolute(scene).parent_path();
-    const std::string source = std::filesystem::absolute(surface_file).lexically_proximate(folder).generic_string();
+    const std::string source = seen_from(scene, surface_file);
     std::string bodies;
     std::vector<std::string> taken;
     Box all;

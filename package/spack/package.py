@@ -30,6 +30,7 @@ class Twinwake(CMakePackage):
     depends_on("boost@1.74:")
     depends_on("openssl@3:")
     depends_on("zlib-api")
+    depends_on("egl")
     depends_on("hdf5@1.10:~mpi")
     depends_on("vtk@9.1:~mpi")
     depends_on("mpi", when="+mpi")

@@ -239,6 +239,18 @@ TEST_F(Command, LostOutputIsNoSuccess) {
     EXPECT_EQ(twinwake({"check", "absent.toml"}, 0, "/dev/full").status, 2);
 }
 
+/// A reader that has read enough ends the program, as in `twinwake check a.toml --html a.html | head`.
+TEST_F(Command, FilesAreThereWhenNobodyReadsTheWords) {
+    write("a.toml", planing);
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    close(ends[0]);
+    const std::string closed = "/dev/fd/" + std::to_string(ends[1]);
+    twinwake({"check", "a.toml", "--html", "a.html", "--picture", "a.svg", "--json", "a.json"}, 0, closed.c_str());
+    close(ends[1]);
+    EXPECT_EQ(files(), (std::set<std::string>{"a.html", "a.json", "a.svg", "a.toml"}));
+}
+
 TEST_F(Command, ATargetThatCannotBeWrittenIsStatusTwoEverywhere) {
     write("a.toml", planing);
     write("table.csv", "h,drag\n1,1\n2,1.1\n4,1.4\n");

@@ -69,6 +69,19 @@ TEST_F(Command, BodiesOfOneFileAreListedTakenAndMadeASceneOf) {
     EXPECT_EQ(files(), (std::set<std::string>{"cad", "cad/logs.obj", "logs.toml", "raft.toml"}));
 }
 
+TEST_F(Command, AHullsFileMakesASceneOfItsSize) {
+    fs::create_directories(folder_ / "cad");
+    write("cad/log.obj", obj_box("Log", {0, -500, 0}, {6000, 500, 900}, 0));
+    ASSERT_EQ(twinwake({"new", "hull", "log.toml", "--from", "cad/log.obj", "--unit", "mm"}).status, 0);
+    const std::string scene = content(folder_ / "log.toml");
+    for (const char* line : {"title = \"log at 7.7 m/s\"\n", "\nfile  = \"cad/log.obj\"", "\nunit  = \"mm\"",
+                             "\ndraft = \"0.3 m\"", "\nspeed = \"7.7 m/s\"", "\nnear_hull = \"0.067 m\""})
+        EXPECT_NE(scene.find(line), std::string::npos) << line << scene;
+    const Outcome check = twinwake({"check", "log.toml"});
+    EXPECT_EQ(check.status, 0) << check.err;
+    EXPECT_NE(check.out.find("log.obj: 6.056 m long, 1 m wide"), std::string::npos) << check.out;
+}
+
 TEST_F(Command, WrongHullArgumentsNameTheKnownOnes) {
     EXPECT_NE(twinwake({"hull", "make", "box", "-o", "b.stl", "lenght=2"}).err.find("did you mean 'length'?"),
               std::string::npos);
