@@ -23,16 +23,16 @@ namespace {
 /// Of the particles of one size.
 void count_size(const Comm& ranks, const Level& level) {
     std::int64_t pairs = 0;
-    for (const Cluster& g : level.clusters()) pairs += g.size * level.live_pairs(g);
+    for (const Cluster& g : level.system().near.clusters) pairs += g.size * level.system().live_pairs(g);
     const double most_pairs = ranks.largest(double(pairs)), all_pairs = double(ranks.sum(pairs));
-    const auto copies = static_cast<std::int64_t>(level.copies());
+    const auto copies = static_cast<std::int64_t>(level.share().copies());
     const double most_copies = ranks.largest(double(copies)), all_copies = double(ranks.sum(copies));
     if (!ranks.first()) return;
-    std::printf("%d ranks, %lld particles of %g m\n", ranks.size(), static_cast<long long>(level.count()),
-                level.setup().dp);
+    std::printf("%d ranks, %lld particles of %g m\n", ranks.size(), static_cast<long long>(level.fields().count()),
+                level.system().setup.dp);
     std::printf("pairs, largest over mean             %.3f\n", most_pairs * ranks.size() / all_pairs);
-    std::printf("copies over own particles            %.3f (largest rank: %.0f)\n", all_copies / double(level.count()),
-                most_copies);
+    std::printf("copies over own particles            %.3f (largest rank: %.0f)\n",
+                all_copies / double(level.fields().count()), most_copies);
 }
 
 void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
@@ -57,7 +57,7 @@ void count(const Comm& ranks, const Scene& scene, int steps, int threads) {
 
     constexpr int repeats = 100;
     const double sums_start = wall_now();
-    for (int k = 0; k < repeats; ++k) simulation.finest().gather_loads(setup.simulation.moment_reference);
+    for (int k = 0; k < repeats; ++k) simulation.finest().loads().gather(setup.simulation.moment_reference);
     const double sums = (wall_now() - sums_start) / repeats;
     for (const auto& level : simulation.water()) count_size(ranks, *level);
     if (!ranks.first()) return;

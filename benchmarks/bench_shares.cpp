@@ -72,7 +72,7 @@ void measure(const Scene& scene, int steps, int threads) {
     for (Part& part : parts) part.before = taken(part.what);
     const double edges_before = at_edges();
     std::vector<std::pair<std::int64_t, std::int64_t>> before;  // steps and lists of each size
-    for (const auto& level : simulation.water()) before.emplace_back(level->steps(), level->timers().rebuilds);
+    for (const auto& level : simulation.water()) before.emplace_back(level->system().steps, level->timers().rebuilds);
     stepping = measuring = 0;
     make_steps(steps);
 
@@ -81,9 +81,9 @@ void measure(const Scene& scene, int steps, int threads) {
                 setup.pressure_iterations, steps, all, threads);
     for (std::size_t k = 0; k < before.size(); ++k) {
         const Level& level = simulation.level(k);
-        std::printf("%lld particles of %g m, lists made every %.1f steps\n", static_cast<long long>(level.count()),
-                    level.setup().dp,
-                    double(level.steps() - before[k].first) /
+        std::printf("%lld particles of %g m, lists made every %.1f steps\n",
+                    static_cast<long long>(level.fields().count()), level.system().setup.dp,
+                    double(level.system().steps - before[k].first) /
                         double(std::max<std::int64_t>(1, level.timers().rebuilds - before[k].second)));
     }
     std::printf("\n| part | ms a step | share |\n|---|---|---|\n");

@@ -11,10 +11,10 @@ class AllParticles {
 public:
     explicit AllParticles(const Simulation& simulation) : simulation_(simulation) {
         for (const auto& level : simulation.levels())
-            if (level->ranks().many()) gathered_.push_back(level->gathered());
+            if (level->system().ranks().many()) gathered_.push_back(level->fields().gathered());
     }
     const Particles& of(std::size_t level) const {
-        return gathered_.empty() ? simulation_.level(level).particles() : gathered_[level];
+        return gathered_.empty() ? simulation_.level(level).fields().particles() : gathered_[level];
     }
 
 private:

@@ -89,7 +89,7 @@ BenchResult run_block(std::int64_t particles, double h_over_dp, int threads, dou
     r.pairs_per_second = r.evaluations_per_second * r.neighbours_per_particle;
     r.bytes_per_particle = simulation.bytes() / double(r.particles);
     r.bytes_on_device = simulation.bytes_on_device() / double(r.particles);
-    r.visited_per_particle = simulation.level(0).visited_per_particle();
+    r.visited_per_particle = double(simulation.level(0).maker().live_pairs()) / double(r.particles);
     r.share_for_lists = (t.lists - before.lists) / wall;
     if (on_gpu) return r;
     const double in_pairs = t.gradient + t.forces - before.gradient - before.forces;

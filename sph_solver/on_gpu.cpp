@@ -103,8 +103,9 @@ namespace {
 std::string why_no_room(const cuda::Device& device, const Simulation& simulation) {
     std::int64_t particles = 0;
     std::size_t dummies = 0;
-    for (const auto& level : simulation.levels()) particles += level->count(), dummies += level->walls().size();
-    const Comm& ranks = simulation.level(0).ranks();
+    for (const auto& level : simulation.levels())
+        particles += level->fields().count(), dummies += level->system().walls.size();
+    const Comm& ranks = simulation.level(0).system().ranks();
     const auto here = static_cast<std::int64_t>(double(particles) * share_of_gpu(ranks));
     const double needed = bytes_on_gpu(double(here) + double(dummies), simulation.levels().size() > 1),
                  free = double(device.free_memory());
@@ -113,7 +114,7 @@ std::string why_no_room(const cuda::Device& device, const Simulation& simulation
                        needed / 1e9);
 }
 std::shared_ptr<cuda::Device> gpu_of(const Simulation& simulation) {
-    return cuda::Device::open(simulation.level(0).ranks().rank_here());
+    return cuda::Device::open(simulation.level(0).system().ranks().rank_here());
 }
 }  // namespace
 
@@ -124,8 +125,9 @@ std::string leave_steps_to_gpu(Simulation& simulation) {
     if (const std::string why = why_no_room(*device, simulation); !why.empty())
         throw InputError(why + ": coarser particles, a smaller domain, or [run] device = \"cpu\"");
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
-        Level& level = simulation.level(k);
-        level.leave_steps_to(std::make_unique<LevelOnDevice>(level.system(), level.share(), device));
+        simulation.level(k).leave_steps_to([&](ParticleSystem& system, RankShare& share) {
+            return std::make_unique<LevelOnDevice>(system, share, device);
+        });
     }
     return device->name();
 }

@@ -19,30 +19,31 @@ PencilGrid cut(PencilGrid grid, int finer) {
 
 PencilsOfSize pencils_of(const Level& level, int finer, int steps) {
     PencilsOfSize s;
-    s.grid = cut(level.grid(), finer);
+    s.grid = cut(level.system().grid, finer);
     s.blocks = steps > 1 ? s.grid.scaled(2) : s.grid;
     s.steps = steps;
-    const FixedPoint& fixed_point = level.fixed_point();
-    s.low = fixed_point.wide(level.domain().min), s.high = fixed_point.wide(level.domain().max);
-    const double reach = level.kernel().support() + ListLife::slack_over_dp * level.setup().dp;
+    const FixedPoint& fixed_point = level.system().fixed_point;
+    s.low = fixed_point.wide(level.system().around.domain.min),
+    s.high = fixed_point.wide(level.system().around.domain.max);
+    const double reach = level.system().kernel.support() + ListLife::slack_over_dp * level.system().setup.dp;
     s.reach = static_cast<std::int64_t>(reach * fixed_point.per_metre / finer) + 1;
-    std::vector<std::int64_t> work(static_cast<std::size_t>(level.grid().count())), particles(work.size());
-    const Particles& p = level.particles();
+    std::vector<std::int64_t> work(static_cast<std::size_t>(level.system().grid.count())), particles(work.size());
+    const Particles& p = level.fields().particles();
     const auto pencil = [&](std::size_t i) {
-        return static_cast<std::size_t>(level.grid().of(fixed_point.wide({p.x[i], p.y[i], p.z[i]})));
+        return static_cast<std::size_t>(level.system().grid.of(fixed_point.wide({p.x[i], p.y[i], p.z[i]})));
     };
-    for (const Cluster& g : level.clusters()) {
+    for (const Cluster& g : level.system().near.clusters) {
         const std::size_t c = pencil(static_cast<std::size_t>(g.first));
-        work[c] += g.size * (1 + level.live_pairs(g)), particles[c] += g.size;
+        work[c] += g.size * (1 + level.system().live_pairs(g)), particles[c] += g.size;
     }
-    if (level.clusters().empty()) {
+    if (level.system().near.clusters.empty()) {
         for (std::size_t i = 0; i < p.size(); ++i) ++particles[pencil(i)];
         work = particles;
     }
     s.work.resize(static_cast<std::size_t>(s.grid.count())), s.particles.resize(s.work.size());
     for (int c = 0; c < s.grid.count(); ++c) {
         const int x = c % s.grid.nx / finer, y = c / s.grid.nx % s.grid.ny / finer, z = c / s.grid.nx / s.grid.ny;
-        const auto of = static_cast<std::size_t>(level.grid().pencil(x, y, z));
+        const auto of = static_cast<std::size_t>(level.system().grid.pencil(x, y, z));
         const auto k = static_cast<std::size_t>(c);
         s.work[k] = finer * work[of], s.particles[k] = finer * particles[of];  // finer^3 as many in finer^2 pencils
         s.all_work += double(s.work[k]), s.all_particles += double(s.particles[k]);

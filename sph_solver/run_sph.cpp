@@ -143,8 +143,8 @@ private:
         else if (control_volume)
             simulation_->set_control_volume(*control_volume);
         // the coarsest level is whole everywhere
-        mass_at_start_ =
-            earlier_ ? earlier_->checkpoint.mass_at_start : simulation_->mass() * double(simulation_->level(0).count());
+        mass_at_start_ = earlier_ ? earlier_->checkpoint.mass_at_start
+                                  : simulation_->mass() * double(simulation_->level(0).fields().count());
     }
 
     void describe(RunRecord& fresh) const {
@@ -158,7 +158,7 @@ private:
             "energy of sloshing and the reflection of a wave at an edge of two sizes; how strongly particles are "
             "shifted, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
         fresh.numbers["spacing"] = scene_.resolution.near_hull;
-        fresh.numbers["wall_particles"] = double(simulation_->finest().walls().size());
+        fresh.numbers["wall_particles"] = double(simulation_->finest().system().walls.size());
         if (const int sizes = sizes_of_particles(scene_); sizes > 1) {
             fresh.numbers["levels"] = sizes;
             fresh.numbers["finest_spacing"] = finest_spacing(scene_);
@@ -264,7 +264,7 @@ private:
 
     std::int64_t particles_of_water() const {
         std::int64_t n = 0;
-        for (const auto& level : simulation_->water()) n += level->count();
+        for (const auto& level : simulation_->water()) n += level->fields().count();
         return n;
     }
 
@@ -274,7 +274,7 @@ private:
         r.state = state;
         r.reason = reason;
         const Level* air = simulation_->gas();
-        const std::int64_t gas = air ? air->count() : 0;
+        const std::int64_t gas = air ? air->fields().count() : 0;
         r.elements = double(particles_of_water() + gas);
         if (gas > 0) r.numbers["air_particles"] = double(gas);
         r.steps = double(simulation_->steps());
@@ -306,7 +306,7 @@ private:
         p.eta = time_left(done, 1 - time / duration_, wall, options_.predicted_seconds);
         const Level* air = simulation_->gas();
         p.note = fmt::format("sph {} particles{}, dt {:.3g} s", particles_of_water(),
-                             air ? fmt::format(" and {} of air", air->count()) : "", simulation_->dt());
+                             air ? fmt::format(" and {} of air", air->fields().count()) : "", simulation_->dt());
         p.so_far = &record();
         options_.progress(p);
         last_report_ = wall_now();

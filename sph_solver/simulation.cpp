@@ -59,7 +59,8 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
         levels_.push_back(std::make_unique<Level>(*around_, level, setup.effects, Schedule(setup.scheme), *bodies_,
                                                   *passes_, fluids[k]));
     }
-    levels_.front()->refuse_idle(levels_.front()->ranks().size());  // finer ones may have few particles, or none yet
+    levels_.front()->share().refuse_idle(
+        levels_.front()->system().ranks().size());  // finer ones may have few particles, or none yet
     refinements_.reserve(finest);
     for (std::size_t k = 0; k < finest; ++k)
         refinements_.emplace_back(*levels_[k], *levels_[k + 1], setup.zones[k], k > 0 ? &refinements_[k - 1] : nullptr);
@@ -75,7 +76,7 @@ Simulation::Simulation(const SimulationSetup& setup, std::span<const Fluid> flui
     const WaterNear near{setup.rho0,  setup.dp,        setup.state_equation.c0, setup.gravity, setup.moment_reference,
                          setup.frame, setup.dimensions};
     for (std::size_t b = 0; b < bodies_->size(); ++b)
-        if (!(*bodies_)[b]->fixed()) (*bodies_)[b]->meet(near, this->finest().walls().dummies(b));
+        if (!(*bodies_)[b]->fixed()) (*bodies_)[b]->meet(near, this->finest().system().walls.dummies(b));
 }
 
 Level& Simulation::add_gas(LevelSetup setup, const EffectOptions& effects, const Fluid& fluid) {
@@ -150,7 +151,7 @@ Load Simulation::load() const {
 
 /// Each point by the level that owns its place; a flux by the one that has the control volume.
 void Simulation::sample_levels(PointSamples& points) {
-    if (points.want_flux) return at_bodies().sample(points);
+    if (points.want_flux) return at_bodies().fields().sample(points);
     const std::size_t n = points.places.size();
     points.p.assign(n, 0);
     points.support.assign(n, 0);
@@ -167,7 +168,7 @@ void Simulation::sample_levels(PointSamples& points) {
         for (std::size_t i = 0; i < n; ++i)
             if (reached[i] && !finer[i]) own.places.push_back(points.places[i]), who.push_back(i);
         reached = std::move(finer);
-        levels_[k]->sample(own);
+        levels_[k]->fields().sample(own);
         for (std::size_t j = 0; j < who.size(); ++j) {
             points.p[who[j]] = own.p[j];
             points.support[who[j]] = own.support[j];
@@ -178,20 +179,20 @@ void Simulation::sample_levels(PointSamples& points) {
 void Simulation::sample(PointSamples& points) {
     if (!refinements_.empty()) return sample_levels(points);
     const Level& water = level(0);  // of which a rank may hold nothing
-    if (water.ranks().sum(std::int64_t{water.has_packed_arrays()}) == 0) stepper_->look();
-    level(0).sample(points);
+    if (water.system().ranks().sum(std::int64_t{water.fields().can_be_sampled()}) == 0) stepper_->look();
+    level(0).fields().sample(points);
     if (levels_.size() == 1) return;
     const std::size_t n = points.places.size();
     std::vector<float> sum(n, 0), weight(n, 0);
     double lid = 0;
     for (const auto& level : levels_) {
         PointSamples of_level{points.places, false, {}, {}, {}};
-        level->sample(of_level);
+        level->fields().sample(of_level);
         for (std::size_t k = 0; k < n; ++k) {
             sum[k] += of_level.p[k] * of_level.support[k];
             weight[k] += of_level.support[k];
         }
-        if (level->setup().shut_in) lid = level->lid_pressure();
+        if (level->system().setup.shut_in) lid = level->fields().lid_pressure();
     }
     for (std::size_t k = 0; k < n; ++k)
         if (weight[k] > 0) points.p[k] = sum[k] / weight[k] - static_cast<float>(lid);
@@ -199,7 +200,7 @@ void Simulation::sample(PointSamples& points) {
 
 double Simulation::bytes_on_device() const {
     double sum = 0;
-    for (const auto& level : levels_) sum += level->bytes_on_device();
+    for (const auto& level : levels_) sum += level->maker().bytes_on_device();
     return sum;
 }
 

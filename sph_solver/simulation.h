@@ -75,9 +75,9 @@ public:
     const Level* gas() const { return gas_; }
     Level* gas() { return gas_; }
 
-    double time() const { return level(0).time(); }
-    double dt() const { return level(0).dt(); }
-    std::int64_t steps() const { return level(0).steps(); }
+    double time() const { return level(0).system().time; }
+    double dt() const { return level(0).system().dt; }
+    std::int64_t steps() const { return level(0).system().steps; }
     /// Levels of water, coarsest first: those before any other material.
     std::span<const std::unique_ptr<Level>> water() const { return {levels_.data(), refinements_.size() + 1}; }
     const Level& finest() const { return *levels_[refinements_.size()]; }
@@ -99,17 +99,20 @@ public:
     double structure_seconds() const { return stepper_->structure_seconds(); }
 
     // of the first level: all the water where particles have one size
-    const Particles& particles() const { return level(0).particles(); }
+    const Particles& particles() const { return level(0).fields().particles(); }
     FieldsToSet fields_to_set() { return level(0).fields_to_set(); }
-    double pressure(std::size_t i) const { return level(0).pressure(i); }
-    double mass() const { return level(0).mass(); }
-    double h() const { return level(0).h(); }
-    const Ledger& ledger() const { return level(0).ledger(); }
-    const Extremes& extremes() const { return level(0).extremes(); }
+    double pressure(std::size_t i) const { return level(0).fields().pressure(i); }
+    double mass() const { return level(0).system().mass; }
+    double h() const { return level(0).system().h; }
+    const Ledger& ledger() const { return level(0).system().ledger; }
+    const Extremes& extremes() const { return level(0).system().extremes; }
     const Timers& timers() const { return level(0).timers(); }
     void set_control_volume(ControlVolume volume) { at_bodies().set_control_volume(std::move(volume)); }
     ControlVolume* control_volume() { return at_bodies().control_volume(); }
-    const ControlVolume* control_volume() const { return at_bodies().control_volume(); }
+    const ControlVolume* control_volume() const {
+        const std::optional<ControlVolume>& volume = at_bodies().system().control;
+        return volume ? &*volume : nullptr;
+    }
 
     /// Fields at points from the present particles; valid until the next step. Not part of the time integration. The
     /// pressure is that of all levels, relative to that under the lid where a level is shut in; the support is the

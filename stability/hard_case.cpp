@@ -129,8 +129,8 @@ template <class Function>
 double sum_over_water(const Simulation& simulation, Function&& f) {
     ExactSum sum;
     for (const auto& level : simulation.water())
-        for (std::size_t i = 0; i < level->particles().size(); ++i)
-            if (is_active(level->particles().kind[i])) sum += f(*level, i);
+        for (std::size_t i = 0; i < level->fields().particles().size(); ++i)
+            if (is_active(level->fields().particles().kind[i])) sum += f(*level, i);
     return sum.value();
 }
 
@@ -155,14 +155,14 @@ double energy_of(const Simulation& simulation) {
 }
 
 double mass_of(const Simulation& simulation) {
-    return sum_over_water(simulation, [](const Level& level, std::size_t) { return level.mass(); });
+    return sum_over_water(simulation, [](const Level& level, std::size_t) { return level.system().mass; });
 }
 
 /// Kinetic energy over rho g H V.
 double motion(const Simulation& simulation) {
     const double kinetic = sum_over_water(simulation, [](const Level& level, std::size_t i) {
-        const Particles& p = level.particles();
-        return 0.5 * level.mass() * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
+        const Particles& p = level.fields().particles();
+        return 0.5 * level.system().mass * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
     });
     return kinetic / (g * depth * mass_of(simulation));
 }
@@ -170,7 +170,8 @@ double motion(const Simulation& simulation) {
 double pressure_error(const Simulation& simulation) {
     const double rho0 = simulation.setup().rho0,
                  squares = sum_over_water(simulation, [&](const Level&level, std::size_t i) {
-                     return level.mass() * std::pow(level.pressure(i) + rho0 * g * level.particles().z[i], 2);
+                     return level.system().mass *
+                            std::pow(level.fields().pressure(i) + rho0 * g * level.fields().particles().z[i], 2);
                  });
     return std::sqrt(squares / mass_of(simulation)) / (rho0 * g * depth);
 }

@@ -127,7 +127,7 @@ RanksTake ranks_take(const PlannedRun& plan, int option) {
     refuse_unshared(plan, option);
     SphSetup setup = sph_setup(scene, scene.run.threads);
     const Simulation simulation(setup.simulation, setup.fluid);
-    placed(scene, option, [&] { simulation.level(0).refuse_idle(take.ranks); });
+    placed(scene, option, [&] { simulation.level(0).share().refuse_idle(take.ranks); });
     take.bytes_at_start = simulation.bytes();
     for (const Fluid& fluid : setup.fluid)
         take.bytes_at_start += double(fluid.places.size()) * double(sizeof(fluid.places[0]) + sizeof(fluid.depth[0]));

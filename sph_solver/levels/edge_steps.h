@@ -35,7 +35,7 @@ public:
     virtual void add(const std::vector<Child>& daughters) = 0;
     /// Distances from the edge of the level's own zone (With::coarser) or a finer level's are no longer known.
     virtual void forget_edge(With whose) = 0;
-    /// As Level::interpolate.
+    /// As LevelFields::interpolate.
     virtual void interpolate(FieldsAt& at) = 0;
     /// Lets the buffer particles of this level follow a coarser one, and what stands for a finer level's water that
     /// one.

@@ -6,7 +6,7 @@
 
 namespace tw {
 
-/// Places that are none of a level's particles, and what it is there, see Level::interpolate.
+/// Places that are none of a level's particles, and what it is there, see LevelFields::interpolate.
 struct FieldsAt : Asking {
     std::vector<Vec3> places{};  ///< [m]
     std::vector<PackedVelocityDensity> value{};

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/backend/stopwatch.h"
-#include "sph_solver/equations/wall_pressure.h"
 #include "sph_solver/levels/on_processor.h"
 
 namespace tw {
@@ -17,40 +15,6 @@ Level::Level(const Surroundings& around, LevelSetup setup, const EffectOptions& 
       share_(system_),
       steps_(std::make_unique<LevelOnProcessor>(system_, share_)),
       schedule_(schedule) {}
-
-double Level::pressure(std::size_t i) const {
-    const Particles& p = on_host();
-    const LevelSetup& s = system_.setup;
-    return double(s.state_equation.pressure(s.rho0, p.drho[i])) +
-           (system_.around.at_rest ? system_.around.at_rest->at(p.z[i]) : 0);
-}
-
-double Level::reference_speed() const {
-    return std::max(system_.extremes.speed, system_.stream_velocity(system_.time));
-}
-
-Vec3 Level::body_force() const {
-    return system_.around.weight() +
-           Vec3(system_.around.stream ? system_.around.stream->acceleration(system_.time) : 0, 0, 0);
-}
-
-double Level::lid_pressure() const {
-    struct Under {
-        ExactSum pressure;
-        std::int64_t count = 0;
-        Under& operator+=(const Under& other) {
-            pressure += other.pressure, count += other.count;
-            return *this;
-        }
-    };
-    const Particles& p = on_host();
-    const Under lid = sum_over_all<Under>([&](Under& sum, std::size_t i) {
-        if (p.z[i] <= system_.around.domain.max.z() - system_.kernel.support()) return;
-        sum.pressure += system_.setup.state_equation.pressure(system_.setup.rho0, p.drho[i]);
-        ++sum.count;
-    });
-    return lid.count > 0 ? lid.pressure.value() / double(lid.count) : 0;
-}
 
 void Level::set_control_volume(ControlVolume volume) {
     system_.control = std::move(volume);
@@ -109,14 +73,14 @@ void Level::first_pair_loop(double t, double compress, double drift, const Other
     steps_->exchange_first_sums();
     steps_->mark_surface();
     each_effect(t, [](Effect& effect, const StepView& view) { effect.after_first_pair_loop(view); });
-    note_compression();
+    stages_.note_compression();
     steps_->compress(compress, drift);
     each_effect(t, [](Effect& effect, const StepView& view) { effect.change_pressure(view); });
     steps_->refresh_images(t);
 }
 
 void Level::second_pair_loop(double t) {
-    timers_.evaluations += static_cast<std::int64_t>(system_.particles.size() - copies());
+    timers_.evaluations += static_cast<std::int64_t>(system_.particles.size() - share_.copies());
     if (!system_.walls.empty()) {
         const Stopwatch watch(timers_.walls);
         put_walls(t);
@@ -139,54 +103,7 @@ void Level::put_walls(double t) {
         system_.walls.feel(system_.around.force(t), system_.around.gravity);
 }
 
-// --- what others ask of it
-// --------------------------------------------------------------------------------------------
-
-void Level::sample(PointSamples& points) const {
-    const std::size_t n = points.places.size();
-    points.p.assign(n, 0);
-    points.support.assign(n, 0);
-    if (points.want_flux) points.flux.assign(6 * n, 0);
-    if (n == 0) return;
-    // whose pencils are those of the particles
-    SortedPlaces sorted(points.places, 1, system_, share_.own_pencils());
-    std::vector<float> p(n), support(n), flux(points.want_flux ? 6 * n : 0);
-    ExtrapolateData e = system_.extrapolation();
-    e.at = sorted.places.data();
-    e.p = p.data();
-    e.support = support.data();
-    if (points.want_flux) {
-        e.carried = system_.particles.carried.data();
-        e.flux = flux.data();
-        e.gx = e.gy = e.gz = 0;  // pairs carry the particles' own pressure
-    }
-    steps_->sample(sorted, e);
-    const auto& at_rest = system_.around.at_rest;
-    for (std::size_t k = 0; k < n; ++k) {
-        const auto i = static_cast<std::size_t>(sorted.order[k]);
-        points.p[i] = p[k];
-        points.support[i] = support[k];
-        if (at_rest && !points.want_flux && support[k] > WallPressure::least_support)
-            points.p[i] += static_cast<float>(at_rest->at(points.places[i].z()));
-        for (std::size_t a = 0; a < 6 && points.want_flux; ++a) points.flux[6 * i + a] = flux[6 * k + a];
-    }
-    share_.exchange_samples(points);
-}
-
-KindCounts Level::kinds() const {
-    const Particles& p = system_.particles;
-    CountKinds kinds{p.kind.data(), p.x.data(), -infinite, infinite, nullptr};
-    if (system_.around.stream) kinds.first = domain().min.x(), kinds.last = domain().max.x();
-    return ranks().sum(steps_->count(kinds));
-}
-
-double Level::visited_per_particle() const { return double(steps_->live_pairs()) / double(system_.particles.size()); }
-
-double Level::bytes() const {
-    const double stages =
-        double(stages_.start.bytes() + stages_.mean.bytes() + stages_.compression.bytes() + stages_.diffusion.bytes());
-    return system_.bytes() + stages + bytes_on_device();
-}
+double Level::bytes() const { return system_.bytes() + stages_.bytes() + steps_->bytes_on_device(); }
 
 // --- where levels of two sizes meet
 // -----------------------------------------------------------------------------------
@@ -223,14 +140,14 @@ void Level::restore(const State& s, Particles particles) {
 }
 
 FieldsToSet Level::fields_to_set() {
-    on_host();
+    steps_->copy_all_to_host();
     steps_->note_changed_state();
     return FieldsToSet(system_.particles);
 }
 
 void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
     system_.ledger.out += active;
-    on_host();
+    steps_->copy_all_to_host();
     steps_->note_changed_state();
     std::ranges::sort(ids);
     std::vector<int> gone(system_.particles.size());
@@ -241,9 +158,16 @@ void Level::take_out(std::vector<std::int64_t> ids, std::int64_t active) {
     start_anew();
 }
 
+std::int64_t Level::take_ids(std::int64_t count) {
+    const std::int64_t first = system_.ledger.next_id;
+    system_.ledger.next_id += count;
+    return first;
+}
+
 void Level::mark_restart_point() {
     if (!system_.particles.has(With::finer)) return make_lists_due();
-    on_host();  // a finer level has changed velocities since the last step: the lists reach as far as after a restart
+    // a finer level has changed velocities since the last step: the lists reach as far as after a restart
+    steps_->copy_all_to_host();
     start_anew();
 }
 
@@ -255,7 +179,7 @@ void Level::start_anew() {
             system_.near.life.relative_speed,
             Vec3(system_.particles.u[i] - stream, double(system_.particles.v[i]), double(system_.particles.w[i]))
                 .norm());
-    system_.near.life.relative_speed = ranks().largest(system_.near.life.relative_speed);
+    system_.near.life.relative_speed = system_.ranks().largest(system_.near.life.relative_speed);
     make_lists_due();
 }
 

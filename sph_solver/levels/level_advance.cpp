@@ -87,7 +87,7 @@ Move Level::move_on(const Schedule::Move& move) {
             .shifts = s.shifting > 0,
             .shifting_support = s.shifting_support,
             .shift_step = ShiftStep(s.shifting, dt, system_.h, s.dp),
-            .stages = stages_.mean.data()};
+            .stages = stages_.mean()};
 }
 
 /// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the
@@ -121,7 +121,7 @@ std::optional<Level::Held> Level::hold_at_wall(std::size_t i) {
 void Level::hold(std::size_t i, const Vec3& moment_reference, Moved& part) {
     const Particles& p = system_.particles;
     const auto held = hold_at_wall(i);
-    if (!held || p.kind[i] != Kind::fluid || !owns(i)) return;
+    if (!held || p.kind[i] != Kind::fluid || !share_.owns(i)) return;
     ++part.held;
     part.on_bodies.resize(system_.bodies.size());
     const Vec3 place(p.x[i], p.y[i], p.z[i]);
@@ -166,9 +166,8 @@ void Level::agree(OfAllParts& all, const Vec3& moment_reference) {
     };
     OfAllParts::Sums& sums = all.sums;
     note(sums.fastest, all.fastest), note(sums.densest, all.densest), note(sums.thinnest, all.thinnest);
-    ranks().add(std::span(&sums, 1), std::span(all.on_bodies), std::span(waiting_loads_));
-    if (!waiting_loads_.empty()) set_loads(waiting_loads_, moment_reference);
-    waiting_loads_.clear();
+    system_.ranks().add(std::span(&sums, 1), std::span(all.on_bodies), loads_.waiting());
+    loads_.settle(moment_reference);
     if (sums.held > 0 && system_.walls.any_deformable())
         all.wall_impulses = share_.of_all_ranks(all.wall_impulses, all.impulse_pencils);
     if (sums.broken > 0)
@@ -233,14 +232,13 @@ void Level::check_density() const {
     const auto beyond = [&](double drho) { return drho > most * rho0 || drho < least * rho0; };
     if (!beyond(system_.extremes.density_deviation_high) && !beyond(system_.extremes.density_deviation_low)) return;
     RankShare::Failing failing{{}, 0, {}};
-    on_host();
-    for (std::size_t i = 0; i < system_.particles.size() && !failing.at; ++i)
-        if (is_active(system_.particles.kind[i]) && beyond(double(system_.particles.drho[i])))
-            failing = {
-                i, share_.pencil_of(i),
-                fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
-                            "speed that is too low or water caught between walls",
-                            rho0 + double(system_.particles.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0)};
+    const Particles& p = fields_.particles();
+    for (std::size_t i = 0; i < p.size() && !failing.at; ++i)
+        if (is_active(p.kind[i]) && beyond(double(p.drho[i])))
+            failing = {i, share_.pencil_of(i),
+                       fmt::format("has the density {:.4g} kg/m3, not {:.0f} to {:.0f} % of {:.4g}; often a sound "
+                                   "speed that is too low or water caught between walls",
+                                   rho0 + double(p.drho[i]), 100 + 100 * least, 100 + 100 * most, rho0)};
     share_.fail_together(failing);
 }
 

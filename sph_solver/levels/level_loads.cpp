@@ -1,14 +1,14 @@
-// What a level's water does to bodies.
+#include "sph_solver/levels/level_loads.h"
+
 #include <fmt/format.h>
 
 #include "base/errors.h"
 #include "sph_solver/bodies/cluster_loads.h"
-#include "sph_solver/levels/level.h"
 #include "sph_solver/loops/force_on_dummies.h"
 
 namespace tw {
 
-void Level::gather_loads(const Vec3& moment_reference) {
+void LevelLoads::gather(const Vec3& moment_reference) {
     const auto arm = [&](const Cluster& g) {
         const auto k = static_cast<std::size_t>(&g - system_.near.clusters.data());
         return Vec3(steps_->centre_of_cluster(k) - moment_reference);
@@ -25,21 +25,26 @@ void Level::gather_loads(const Vec3& moment_reference) {
         std::vector<std::int32_t> pencils;
         for (std::size_t k = 0; k < pushed.pushes.size(); ++k) {
             const auto by = static_cast<std::size_t>(pushed.by[k]);
-            if (owns(by)) own.push_back(pushed.pushes[k]), pencils.push_back(share_.pencil_of(by));
+            if (share_.owns(by)) own.push_back(pushed.pushes[k]), pencils.push_back(share_.pencil_of(by));
         }
         for (const WallPush& p : own) of_bodies[p.body].add(p.force, p.place - moment_reference);
         system_.walls.set_pushes(share_.of_all_ranks(own, pencils));
     }
-    if (ranks().many() && all_fixed(system_.bodies) && schedule_.stages().empty()) {
-        waiting_loads_ = std::move(sums);  // nobody asks for them before the step's end
+    if (system_.ranks().many() && all_fixed(system_.bodies) && !in_stages_) {
+        waiting_ = std::move(sums);
         return;
     }
-    ranks().add(std::span(sums));
+    system_.ranks().add(std::span(sums));
     set_loads(sums, moment_reference);
 }
 
+void LevelLoads::settle(const Vec3& moment_reference) {
+    if (!waiting_.empty()) set_loads(waiting_, moment_reference);
+    waiting_.clear();
+}
+
 /// By bodies that press.
-WallPushes Level::push_particles() {
+WallPushes LevelLoads::push_particles() {
     const MayBePressed may_be{system_.particles.wall_normal.data(), system_.particles.kind.data(), system_.setup.dp};
     const std::vector<std::int32_t> near = steps_->copy_pressed_to_host(may_be);
     WallPushes pushed = wall_pushes(system_.bodies, system_.particles, near, system_.setup.dp, system_.mass);
@@ -48,7 +53,7 @@ WallPushes Level::push_particles() {
 }
 
 /// The force of the pressure that the particles do not carry.
-void Level::add_archimedes(std::size_t b, const Vec3& moment_reference, Load& load) const {
+void LevelLoads::add_archimedes(std::size_t b, const Vec3& moment_reference, Load& load) const {
     const Surroundings::Submerged& solid = system_.around.submerged[b];
     const Vec3 centroid = system_.bodies[b]->now(solid.centroid);
     if (centroid.z() + solid.radius > system_.around.at_rest->bottom)
@@ -63,7 +68,7 @@ void Level::add_archimedes(std::size_t b, const Vec3& moment_reference, Load& lo
     load.moment += (centroid - moment_reference).cross(up);
 }
 
-void Level::set_loads(std::span<const PushSum> sums, const Vec3& moment_reference) {
+void LevelLoads::set_loads(std::span<const PushSum> sums, const Vec3& moment_reference) {
     const std::size_t n = system_.bodies.size();
     const auto pressed = sums.first(n), rubbed = sums.subspan(n, n), of_bodies = sums.last(n);
     // force on the bodies = minus what they exert on the water
@@ -79,7 +84,7 @@ void Level::set_loads(std::span<const PushSum> sums, const Vec3& moment_referenc
     system_.walls.set_loads(std::move(loads));
 }
 
-std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
+std::vector<Vec3> LevelLoads::on_dummies(std::size_t body) {
     if (system_.walls.empty()) return {};
     const StepView step = steps_->step_view(system_.time);
     const StepView::DummiesOfBody& dummies = step.bodies[body];
@@ -98,7 +103,7 @@ std::vector<Vec3> Level::forces_on_dummies(std::size_t body) {
     // each by the rank whose pencil it stands in, nothing on the others
     std::vector<double> sums;
     for (const V3<double>& f : forces_on_dummies_.copy_to_host()) sums.insert(sums.end(), {f.x, f.y, f.z});
-    ranks().take_from_owners(std::span(sums));
+    system_.ranks().take_from_owners(std::span(sums));
     std::vector<Vec3> forces;
     for (std::size_t k = 0; k < sums.size(); k += 3) forces.emplace_back(sums[k], sums[k + 1], sums[k + 2]);
     return forces;

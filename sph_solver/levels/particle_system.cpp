@@ -110,7 +110,7 @@ FirstPairLoopData ParticleSystem::first_pair_loop_data() {
             .shift = r.shift_support.data(),
             .rate = r.rate.data(),
             .carried = r.carried.empty() ? nullptr : r.carried.data(),
-            .inv_W_dp = static_cast<float>(1 / kernel.W(setup.dp)),
+            .inv_W_dp = inv_W_dp(),
             .fastest_shift = static_cast<float>(setup.state_equation.c0 / 10),
             .inv_dp = static_cast<float>(1 / setup.dp),
             .inv_void = static_cast<float>(1 / (1 - setup.touch_support)),
@@ -121,23 +121,21 @@ FirstPairLoopData ParticleSystem::first_pair_loop_data() {
 SecondPairLoopData ParticleSystem::second_pair_loop_data(double t) {
     const LevelSetup& s = setup;
     const double stream_acceleration = around.stream ? around.stream->acceleration(t) : 0;
-    SecondPairLoopData d{
-        .water = water_view(),
-        .walls = wall_view(),
-        .leaving = particles.wall_leaving.data(),
-        .since_lists = static_cast<float>(near.life.age),
-        .shift = particles.shift_support.data(),
-        .rate = particles.rate.data(),
-        .wall_load = walls.cluster_loads().data(),
-        .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
-        .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h * s.rho0) : 0,
-        .packing_reach = static_cast<float>(kernel.support() - s.dp / 2),
-        .viscosity = static_cast<float>(s.alpha * s.state_equation.c0 * s.rho0 / 2),
-        .gx = static_cast<float>(around.weight().x() + stream_acceleration),
-        .gy = static_cast<float>(around.weight().y()),
-        .gz = static_cast<float>(around.weight().z())};
-    if (s.tension_control) d.tension_control_from = static_cast<float>(s.shifting_support);
-    return d;
+    return {.water = water_view(),
+            .walls = wall_view(),
+            .leaving = particles.wall_leaving.data(),
+            .since_lists = static_cast<float>(near.life.age),
+            .shift = particles.shift_support.data(),
+            .rate = particles.rate.data(),
+            .wall_load = walls.cluster_loads().data(),
+            .diffusion = static_cast<float>(s.delta * s.state_equation.c0),
+            .packing = s.shifting > 0 ? static_cast<float>(s.packing * s.state_equation.c0 / h * s.rho0) : 0,
+            .packing_reach = static_cast<float>(kernel.support() - s.dp / 2),
+            .viscosity = artificial_viscosity(),
+            .gx = static_cast<float>(around.weight().x() + stream_acceleration),
+            .gy = static_cast<float>(around.weight().y()),
+            .gz = static_cast<float>(around.weight().z()),
+            .tension_control_from = tension_control_from()};
 }
 
 AfterFirstPairLoop ParticleSystem::after_first_pair_loop(const FieldsView& f, double compress, double drift) const {
@@ -254,6 +252,10 @@ double ParticleSystem::reach_of_others() const {
     if (!particles.has(With::coarser) && !particles.has(With::finer)) return 0;
     return Kernel(interpolation_h_over_dp * setup.dp, around.dimensions).support() +
            ListLife::wall_slack_over_dp * setup.dp;
+}
+
+Vec3 ParticleSystem::body_force() const {
+    return around.weight() + Vec3(around.stream ? around.stream->acceleration(time) : 0, 0, 0);
 }
 
 double ParticleSystem::density_of_row() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -37,7 +38,8 @@ struct Neighbours {
 
 /// What the particles of a level are: their state, kernel and material, the walls, images and effects that act on them.
 /// Data for those who make the steps (step_maker.h) and share the particles among ranks (rank_share.h): what is done
-/// with it, and in which order, is theirs and Level's. Others see it through Level.
+/// with it, and in which order, is theirs and Level's. Others read it through Level::system, but for the
+/// particles: while a device makes the steps those here may be of a step long gone, and Level::fields has them fetched.
 struct ParticleSystem {
     /// As that of Level.
     ParticleSystem(const Surroundings& surroundings, LevelSetup material, const EffectOptions& options,
@@ -83,7 +85,17 @@ struct ParticleSystem {
     InterpolateData interpolation() const;  ///< the caller says of whom, where to and what
     StepView step_view(double t, const Halo& halo);
 
-    // --- the same of the fields of the maker of the steps
+    // --- coefficients of the pair loops, for who adds other pairs to them
+    float inv_W_dp() const { return static_cast<float>(1 / kernel.W(setup.dp)); }  ///< see FirstPairLoopData
+    float artificial_viscosity() const {  ///< see SecondPairLoopData::viscosity
+        return static_cast<float>(setup.alpha * setup.state_equation.c0 * setup.rho0 / 2);
+    }
+    float tension_control_from() const {  ///< see SecondPairLoopData
+        return setup.tension_control ? static_cast<float>(setup.shifting_support)
+                                     : SecondPairLoopData{}.tension_control_from;
+    }
+
+    // --- what loops over particles do with the fields of the maker of the steps
     LacksSupport lacks_support(const FieldsView& f) const {
         return {f.kind, f.trend, f.shift_support, setup.surface_support};
     }
@@ -119,6 +131,10 @@ struct ParticleSystem {
         return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
     }
     double stream_velocity(double t) const { return around.stream ? around.stream->velocity(t) : 0; }
+    /// The larger of the fastest particle's speed and the stream's [m/s].
+    double reference_speed() const { return std::max(extremes.speed, stream_velocity(time)); }
+    /// Acceleration of all water alike now: gravity and the stream's [m/s2].
+    Vec3 body_force() const;
     /// Density that the weight of one row of particles makes at rest, rho0 g dp / c0^2 [kg/m3].
     double density_of_row() const;
     const Comm& ranks() const { return around.ranks ? *around.ranks : Comm::alone(); }

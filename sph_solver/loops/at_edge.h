@@ -38,7 +38,7 @@ struct TakeGiving {
     Giving of;
     double density_before;  ///< of Asking [s]
     SurfaceExcess without;
-    double row;  ///< Level::density_of_row [kg/m3]
+    double row;  ///< ParticleSystem::density_of_row [kg/m3]
     PackedPlace* to_place;
     PackedVelocityDensity* to_motion;
     float* known_support;  ///< null: it is not asked for, and nothing is taken off [-]

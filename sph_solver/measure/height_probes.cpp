@@ -15,7 +15,7 @@ namespace {
 double smoothing_length_at(const Simulation& simulation, const Vec3& place) {
     std::size_t k = 0;
     while (k < simulation.refinements().size() && simulation.refinements()[k].zone().outside(place) < 0) ++k;
-    return simulation.level(k).h();
+    return simulation.level(k).system().h;
 }
 
 /// What solids leave of the kernel at a place in the water.

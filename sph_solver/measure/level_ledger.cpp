@@ -8,10 +8,10 @@ std::vector<LevelLedger> level_ledgers(const Simulation& simulation) {
     for (std::size_t k = 0; k < simulation.water().size(); ++k) {
         const Level& level = simulation.level(k);
         LevelLedger& l = ledgers.emplace_back();
-        l.spacing = level.setup().dp, l.dt = level.dt();
-        const KindCounts kinds = level.kinds();
+        l.spacing = level.system().setup.dp, l.dt = level.system().dt;
+        const KindCounts kinds = level.fields().kinds();
         l.buffers = kinds.buffers, l.overlap = kinds.overlap, l.slaves = kinds.slaves;
-        l.active = level.count() - kinds.buffers - kinds.under();
+        l.active = level.fields().count() - kinds.buffers - kinds.under();
         l.seconds = level.timers().sum();
         if (k > 0) {
             const Refinement& edge = simulation.refinements()[k - 1];
@@ -26,8 +26,8 @@ std::vector<LevelLedger> level_ledgers(const Simulation& simulation) {
 std::vector<ResolvedBox> resolution_of(const Simulation& simulation) {
     std::vector<ResolvedBox> finer;
     for (const Refinement& edge : simulation.refinements())
-        for (const Box& box : edge.zone().sliced()) finer.push_back({edge.fine().setup().dp, box});
-    return resolution_within({simulation.level(0).setup().dp, simulation.setup().domain}, finer);
+        for (const Box& box : edge.zone().sliced()) finer.push_back({edge.fine().system().setup.dp, box});
+    return resolution_within({simulation.level(0).system().setup.dp, simulation.setup().domain}, finer);
 }
 
 }  // namespace tw

@@ -15,7 +15,7 @@ namespace {
 /// Of one material, which has the levels [first, last).
 Picture::Cloud cloud_of(const Simulation& simulation, std::size_t first, std::size_t last,
                         const AllParticles& particles, const char* name) {
-    Picture::Cloud cloud{name, simulation.level(first).time(), {}, {}};
+    Picture::Cloud cloud{name, simulation.level(first).system().time, {}, {}};
     Field velocity{"velocity", 3, {}}, pressure{"pressure", 1, {}}, kind{"kind", 1, {}}, size{"spacing", 1, {}};
     const auto& at_rest = simulation.setup().at_rest;
     std::size_t all = 0;
@@ -24,7 +24,7 @@ Picture::Cloud cloud_of(const Simulation& simulation, std::size_t first, std::si
     for (Field* field : {&velocity, &pressure, &kind, &size})
         field->values.reserve(all * static_cast<std::size_t>(field->components));
     for (std::size_t k = first; k < last; ++k) {
-        const LevelSetup& setup = simulation.level(k).setup();
+        const LevelSetup& setup = simulation.level(k).system().setup;
         const Particles& p = particles.of(k);
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
@@ -55,7 +55,7 @@ RunRecord water_of_last_frame(const RunRecord& record) {
 Picture picture_of(const Simulation& simulation, const RunRecord& record) {
     const AllParticles particles(simulation);
     Picture picture;
-    if (!simulation.level(0).ranks().first()) return picture;
+    if (!simulation.level(0).system().ranks().first()) return picture;
     picture.time = simulation.time();
     const std::size_t water = simulation.water().size();
     picture.clouds.push_back(cloud_of(simulation, 0, water, particles, "particles"));

@@ -57,10 +57,11 @@ SurfaceSamples samples_of(const Body& body, const SimulationSetup& s) {
 Vec3 momentum_inside(const Simulation& simulation, double& mass_inside) {
     using Inside = ControlVolume::Inside;
     const Level& level = simulation.at_bodies();
-    const Inside inside = level.sum_over_all<Inside>(
-        [&](Inside& sum, std::size_t i) { simulation.control_volume()->add_inside(level.particles(), i, sum); });
-    mass_inside = level.mass() * inside.share.value();
-    return level.mass() * inside.momentum.value();
+    const Inside inside = level.fields().sum_over_all<Inside>([&](Inside& sum, std::size_t i) {
+        simulation.control_volume()->add_inside(level.fields().particles(), i, sum);
+    });
+    mass_inside = level.system().mass * inside.share.value();
+    return level.system().mass * inside.momentum.value();
 }
 
 /// Whether the particles of the control volume's size still hold all of it: their zone may have gone with a free hull.
@@ -127,7 +128,7 @@ void Recorder::after_step(Simulation& simulation, bool frame) {
         put("_viscous", load.friction);
         t.set(row, "my", per_span("N m"), factor_ * load.moment.y());
         if (const Level* gas = simulation.gas()) {
-            const std::vector<Load>& on_bodies = gas->walls().loads();
+            const std::vector<Load>& on_bodies = gas->system().walls.loads();
             Load by_air;
             for (std::size_t b = 0; b < on_bodies.size(); ++b)
                 if (!hull || b == *hull) by_air += on_bodies[b];
@@ -197,12 +198,12 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     double fastest = 0, low = 0, high = 0;
     Ledger ledger;
     for (const auto& level : simulation.water()) {
-        count += level->sum_over_all<std::int64_t>(
-            [&](std::int64_t& sum, std::size_t i) { sum += is_active(level->particles().kind[i]); });
-        const Extremes& e = level->extremes();
+        count += level->fields().sum_over_all<std::int64_t>(
+            [&](std::int64_t& sum, std::size_t i) { sum += is_active(level->fields().particles().kind[i]); });
+        const Extremes& e = level->system().extremes;
         fastest = std::max(fastest, e.speed);
         low = std::min(low, e.density_deviation_low), high = std::max(high, e.density_deviation_high);
-        const Ledger& l = level->ledger();
+        const Ledger& l = level->system().ledger;
         ledger.in += l.in, ledger.out += l.out, ledger.lost += l.lost, ledger.held += l.held;
     }
     if (const RasterSpec& raster = scene_.sampling.raster; raster.voxel > 0)
@@ -231,11 +232,11 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
         t.set(k, "spray_mass", "kg", factor_ * taken);
     }
     if (const Level* air = simulation.gas()) {
-        t.set(k, "air_particles", "-", double(air->count()));
+        t.set(k, "air_particles", "-", double(air->fields().count()));
         t.set(k, "air_energy", per_span("J"), factor_ * gas_energy(*air, s.gravity));
-        t.set(k, "air_max_speed", "m/s", air->extremes().speed);
-        t.set(k, "air_density_deviation_low", "kg/m3", air->extremes().density_deviation_low);
-        t.set(k, "air_density_deviation_high", "kg/m3", air->extremes().density_deviation_high);
+        t.set(k, "air_max_speed", "m/s", air->system().extremes.speed);
+        t.set(k, "air_density_deviation_low", "kg/m3", air->system().extremes.density_deviation_low);
+        t.set(k, "air_density_deviation_high", "kg/m3", air->system().extremes.density_deviation_high);
     }
     if (hull_) {
         const double area = factor_ * hull_->wetted_area(), length = hull_->wetted_length(scene_.hull->beam);
@@ -263,7 +264,7 @@ void Recorder::record_bodies(const Simulation& simulation) {
         Table& t = record_.table(body_table(body.name()));
         const std::size_t k = t.append(simulation.time());
         Load load = simulation.load(b);
-        if (const Level* air = simulation.gas()) load += air->walls().loads()[b];
+        if (const Level* air = simulation.gas()) load += air->system().walls.loads()[b];
         body.describe(load, [&](const std::string& name, const std::string& unit, double value) {
             const bool of_span = unit == "N" || unit == "N m" || unit == "J";
             t.set(k, name, of_span ? per_span(unit.c_str()) : unit, value);
@@ -277,7 +278,7 @@ void Recorder::record_bodies(const Simulation& simulation) {
 /// sum.
 void Recorder::record_walls(Simulation& simulation, std::size_t row) {
     Table& t = record_.table("samples");
-    const double h_over_dp = simulation.finest().h() / simulation.finest().setup().dp;
+    const double h_over_dp = simulation.finest().system().h / simulation.finest().system().setup.dp;
     const auto put = [&](const SurfaceSamples& samples, const Body& body) {
         WetWall wall;
         for (std::size_t k = 0; k < samples.area.size(); ++k)

@@ -12,16 +12,17 @@ namespace tw {
 
 void RunWatch::after_step(const Simulation& simulation) {
     const Level& water = simulation.level(0);  // whole everywhere
-    if (water.count() == 0) {
-        const Ledger& l = water.ledger();
+    if (water.fields().count() == 0) {
+        const Ledger& l = water.system().ledger;
         throw RunError(
             fmt::format("no water is left at t = {:.6g} s: {} particles have left through open sides and {} were lost "
                         "on the way; a tank without walls or lid, or a gap in them, lets it escape",
                         simulation.time(), l.out, l.lost));
     }
-    const LevelSetup& s = water.setup();
-    double allowed = simulation.setup().cfl * water.h() / (s.state_equation.c0 + water.extremes().speed);
-    for (const auto& effect : water.effects()) allowed = std::min(allowed, effect->largest_step(s, water.h()));
+    const LevelSetup& s = water.system().setup;
+    double allowed = simulation.setup().cfl * water.system().h / (s.state_equation.c0 + water.system().extremes.speed);
+    for (const auto& effect : water.system().effects)
+        allowed = std::min(allowed, effect->largest_step(s, water.system().h));
     note_step(simulation.time(), simulation.dt(), allowed);
 }
 

@@ -24,7 +24,7 @@ ActiveWater water_of(const Simulation& simulation, const AllParticles& all) {
     ActiveWater water;
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
         const Particles& p = all.of(k);
-        const double dp = simulation.level(k).setup().dp;
+        const double dp = simulation.level(k).system().setup.dp;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
             water.elements.push_back({place(p, i), velocity(p, i), dp * dp * dp, dp});
@@ -95,7 +95,7 @@ std::optional<SprayGate> SprayGate::of(const SphOptions& o) {
 }
 
 std::vector<SprayLump> SprayGate::take(Simulation& simulation) const {
-    const Comm& ranks = simulation.level(0).ranks();
+    const Comm& ranks = simulation.level(0).system().ranks();
     if (ranks.sum(std::int64_t{any_beyond(simulation)}) == 0) return {};  // the search costs as much as a step
     Leaving leaving;
     leaving.sizes.resize(simulation.levels().size());
@@ -113,7 +113,7 @@ bool SprayGate::is_beyond(const Vec3& x) const { return (x - point_).dot(normal_
 
 bool SprayGate::any_beyond(const Simulation& simulation) const {
     for (const auto& level : simulation.levels()) {
-        const Particles& p = level->particles();
+        const Particles& p = level->fields().particles();
         for (std::size_t i = 0; i < p.size(); ++i)
             if (p.kind[i] == Kind::fluid && is_beyond(place(p, i))) return true;
     }
@@ -132,8 +132,8 @@ void SprayGate::find(const Simulation& simulation, const AllParticles& particles
     std::vector<char> leaves(count, 1), taken(water.who.size(), 0);
     leaves[0] = 0;  // the body of water
     // masses are counted in those of the coarsest particles
-    const double coarsest = simulation.level(0).mass();
-    const auto share_of = [&](std::size_t n) { return simulation.level(water.who[n].first).mass() / coarsest; };
+    const double coarsest = simulation.level(0).system().mass;
+    const auto share_of = [&](std::size_t n) { return simulation.level(water.who[n].first).system().mass / coarsest; };
     struct Sums {
         ExactVectorSum place, velocity;
         ExactSum share, inner_energy;
@@ -171,7 +171,7 @@ void SprayGate::find(const Simulation& simulation, const AllParticles& particles
         auto& [ids, active] = leaving.sizes[k];
         for (std::size_t i = 0; i < p.size(); ++i) {
             const bool water_itself = is_active(p.kind[i]),
-                       goes = water_itself ? taken[n] : bereft(place(p, i), simulation.level(k).setup().dp);
+                       goes = water_itself ? taken[n] : bereft(place(p, i), simulation.level(k).system().setup.dp);
             if (water_itself) active += taken[n++];
             if (goes) ids.push_back(p.id[i]);
         }

@@ -11,8 +11,8 @@ namespace {
 /// Calls `add(sum, place, velocity)` for the particles of a level that count, on all ranks.
 template <class Sum, class Add>
 Sum sum_over_water(const Level& level, const Add& add) {
-    const Particles& p = level.particles_in_motion();
-    return level.sum_over_all<Sum>([&](Sum& sum, std::size_t i) {
+    const Particles& p = level.fields().particles_in_motion();
+    return level.fields().sum_over_all<Sum>([&](Sum& sum, std::size_t i) {
         if (is_active(p.kind[i])) add(sum, Vec3(p.x[i], p.y[i], p.z[i]), Vec3(p.u[i], p.v[i], p.w[i]));
     });
 }
@@ -21,10 +21,10 @@ Sum sum_over_water(const Level& level, const Add& add) {
 Vec3 momentum_of(const Simulation& simulation) {
     Vec3 momentum = Vec3::Zero();
     for (const auto& level : simulation.levels())
-        momentum +=
-            level->mass() * sum_over_water<ExactVectorSum>(*level, [](ExactVectorSum& sum, const Vec3&, const Vec3& u) {
-                                sum += u;
-                            }).value();
+        momentum += level->system().mass *
+                    sum_over_water<ExactVectorSum>(*level, [](ExactVectorSum& sum, const Vec3&, const Vec3& u) {
+                        sum += u;
+                    }).value();
     return momentum;
 }
 
@@ -52,8 +52,8 @@ Drive drive_of(const Simulation& simulation) {
             sum.force += f;
             sum.power += (f - gravity).dot(u);
         });
-        drive.force += level->mass() * sums.force.value();
-        drive.power += level->mass() * sums.power.value();
+        drive.force += level->system().mass * sums.force.value();
+        drive.power += level->system().mass * sums.power.value();
     }
     return drive;
 }
@@ -64,7 +64,7 @@ Vec3 force_on_bodies(const Simulation& simulation) {
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
         if (simulation.body(b).fixed()) continue;
         force += simulation.load(b).force;
-        if (const Level* air = simulation.gas()) force += air->walls().loads()[b].force;
+        if (const Level* air = simulation.gas()) force += air->system().walls.loads()[b].force;
     }
     return force;
 }

@@ -32,14 +32,14 @@ void watch_stability(const Simulation& simulation, const std::vector<LevelLedger
     const Vec3 nowhere = RecordedCheck{}.place;
     double held_down = std::numeric_limits<double>::infinity(), lost = 0;
     for (const auto& level : simulation.levels()) {
-        const double c = level->setup().state_equation.c0 + level->extremes().speed;
-        const double acoustic = simulation.setup().cfl * level->h() / c;
-        held_down = std::min(held_down, level->dt() > 0 ? acoustic / level->dt() : 0);
-        lost += static_cast<double>(level->ledger().lost);
+        const double c = level->system().setup.state_equation.c0 + level->system().extremes.speed;
+        const double acoustic = simulation.setup().cfl * level->system().h / c;
+        held_down = std::min(held_down, level->system().dt > 0 ? acoustic / level->system().dt : 0);
+        lost += static_cast<double>(level->system().ledger.lost);
     }
     const double deviation = 100 * largest_density_deviation;
     for (const auto& level : simulation.water()) {
-        const Extremes& e = level->extremes();
+        const Extremes& e = level->system().extremes;
         note_worst(record, {"Mach number", "-", e.speed / c0, trusted_mach, t, e.fastest_place});
         note_worst(record, {"compression", "%", percent * e.density_deviation_high, 100 * trusted_compression, t,
                             e.densest_place});
@@ -47,8 +47,9 @@ void watch_stability(const Simulation& simulation, const std::vector<LevelLedger
     }
     note_worst(record, {"step held down", "-", held_down, 20, t, nowhere});
     if (const Level* air = simulation.gas())
-        note_worst(record, {"Mach number of the air", "-", air->extremes().speed / air->setup().state_equation.c0,
-                            trusted_air_mach, t, air->extremes().fastest_place});
+        note_worst(record,
+                   {"Mach number of the air", "-", air->system().extremes.speed / air->system().setup.state_equation.c0,
+                    trusted_air_mach, t, air->system().extremes.fastest_place});
     note_worst(record, {"particles lost", "-", lost, 0, t, nowhere});
     watch_edges(t, sizes, record);
     for (const auto& body : simulation.bodies())

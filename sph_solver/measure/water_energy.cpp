@@ -24,15 +24,15 @@ WaterEnergy water_energy(const Simulation& simulation) {
     const double of_deviation = s.state_equation.c0 / s.rho0;
     WaterEnergy energy;
     for (const auto& level : simulation.water()) {
-        const Particles& p = level->particles();
-        const Sums sums = level->sum_over_all<Sums>([&](Sums& sum, std::size_t i) {
+        const Particles& p = level->fields().particles();
+        const Sums sums = level->fields().sum_over_all<Sums>([&](Sums& sum, std::size_t i) {
             if (p.kind[i] != Kind::fluid) return;
             ++sum.count;
             sum.speed2 += double(p.u[i]) * p.u[i] + double(p.v[i]) * p.v[i] + double(p.w[i]) * p.w[i];
             sum.height += p.z[i];
             sum.deviation2 += double(p.drho[i]) * p.drho[i];
         });
-        const double m = level->mass();
+        const double m = level->system().mass;
         energy.mass += m * double(sums.count);
         energy.kinetic += 0.5 * m * sums.speed2.value();
         energy.potential -= m * s.gravity.z() * sums.height.value();

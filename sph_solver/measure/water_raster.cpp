@@ -9,11 +9,12 @@ namespace {
 /// Pours what is `wanted` of a level's particles.
 template <class Wanted>
 void pour(Raster& raster, const Level& level, double span, const Wanted& wanted) {
-    const Particles& p = level.particles();
+    const Particles& p = level.fields().particles();
     for_particles(p.size(), [&](std::size_t i) {
         const Vec3 place(p.x[i], p.y[i], p.z[i]);
-        if (level.owns(i) && wanted(p.kind[i], place))
-            raster.share_out(place, level.setup().dp, level.mass() * span / (level.setup().rho0 + double(p.drho[i])));
+        if (level.share().owns(i) && wanted(p.kind[i], place))
+            raster.share_out(place, level.system().setup.dp,
+                             level.system().mass * span / (level.system().setup.rho0 + double(p.drho[i])));
     });
 }
 
@@ -39,7 +40,7 @@ Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double
         const Zone& zone = simulation.refinements()[k - 1].zone();
         Raster of_size(spec, box_of(zone));
         pour(of_size, level, span, each);
-        const double beyond = spray_over_dp * level.setup().dp;
+        const double beyond = spray_over_dp * level.system().setup.dp;
         pour(all, level, span,
              [&](Kind kind, const Vec3& place) { return kind == Kind::fluid && zone.outside(place) > beyond; });
         for_pieces(static_cast<std::size_t>(all.layers()), [&](std::size_t layer) {
@@ -47,7 +48,7 @@ Raster water_raster(const Simulation& simulation, const RasterSpec& spec, double
                            static_cast<int>(layer));
         });
     }
-    levels[0]->ranks().add(all.parts());
+    levels[0]->system().ranks().add(all.parts());
     return all;
 }
 

@@ -9,16 +9,16 @@ namespace tw {
 
 bool LevelPair::lists_outlived() const {
     return a_.level->travel_ahead() + b_.level->travel_ahead() >
-           ListLife::wall_slack_over_dp * a_.level->setup().dp;  // both move
+           ListLife::wall_slack_over_dp * a_.level->system().setup.dp;  // both move
 }
 
 void LevelPair::find_neighbours() {
     const auto find = [](Side& own, const Side& other) {
         Level& level = *own.level;
-        const double reach = level.kernel().support() + ListLife::wall_slack_over_dp * level.setup().dp;
+        const double reach = level.system().kernel.support() + ListLife::wall_slack_over_dp * level.system().setup.dp;
         const Reaches reaches{reach, reach, reach};
         own.near = level.maker().find_neighbours(other.level->maker(), reaches, own.room);
-        const StepView step = level.step_view(level.time());
+        const StepView step = level.maker().step_view(level.system().time);
         own.sums.zeros(step.device, step.n);
     };
     find(a_, b_);
@@ -26,12 +26,12 @@ void LevelPair::find_neighbours() {
 }
 
 void LevelPair::meet(double t) {
-    const StepView a = a_.level->step_view(t), b = b_.level->step_view(t);
+    const StepView a = a_.level->maker().step_view(t), b = b_.level->maker().step_view(t);
     const auto sums_of = [](const StepView& own, const StepView& other, const Side& side) {
         own.pairs(MeetOtherData{.water = own.water,
                                 .other = other.water,
                                 .list = side.near.lists,
-                                .inv_W_dp = side.level->first_pair_loop_data().inv_W_dp,
+                                .inv_W_dp = side.level->system().inv_W_dp(),
                                 .sums = side.sums.data()},
                   side.near.clusters);
     };
@@ -40,9 +40,8 @@ void LevelPair::meet(double t) {
 }
 
 void LevelPair::press(double t) {
-    const StepView a = a_.level->step_view(t), b = b_.level->step_view(t);
-    const float of_a = a_.level->second_pair_loop_data(t).viscosity,
-                of_b = b_.level->second_pair_loop_data(t).viscosity;
+    const StepView a = a_.level->maker().step_view(t), b = b_.level->maker().step_view(t);
+    const float of_a = a_.level->system().artificial_viscosity(), of_b = b_.level->system().artificial_viscosity();
     const auto press_on = [&](const StepView& own, const StepView& other, const Side& side) {
         own.pairs(PressOtherData{.water = own.water,
                                  .other = other.water,
@@ -50,7 +49,7 @@ void LevelPair::press(double t) {
                                  .shift = own.shift,
                                  .rate = own.rate,
                                  .viscosity = harmonic_mean(of_a, of_b),
-                                 .tension_control_from = side.level->second_pair_loop_data(t).tension_control_from},
+                                 .tension_control_from = side.level->system().tension_control_from()},
                   side.near.clusters);
     };
     press_on(a, b, a_);

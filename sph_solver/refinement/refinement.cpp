@@ -14,8 +14,8 @@ Refinement::Refinement(Level& coarse, Level& fine, Zone zone, const Refinement* 
       fine_(fine),
       outer_(outer),
       zone_(std::move(zone)),
-      dp_(fine.setup().dp),
-      excess_(coarse.kernel(), coarse.setup().dp, coarse.dimensions()) {
+      dp_(fine.system().setup.dp),
+      excess_(coarse.system().kernel, coarse.system().setup.dp, coarse.system().around.dimensions) {
     coarse.begin_over(zone_, buffer_over_dp * dp_);
     fine.begin_within(zone_);
     label_coarse();
@@ -32,8 +32,8 @@ void Refinement::set_zone(Zone zone) {
         return;
     }
     gone_since_ = std::numeric_limits<double>::infinity();
-    fine_.edges().forget_edge(With::coarser);
-    coarse_.edges().forget_edge(With::finer);
+    fine_.maker().forget_edge(With::coarser);
+    coarse_.maker().forget_edge(With::finer);
 }
 
 AskEdge Refinement::edge(std::initializer_list<double> limits) const {
@@ -53,23 +53,24 @@ void Refinement::label_coarse() {
         .overlap = overlap_over_dp * dp_, .again = again_over_dp * dp_, .barren = barren_over_dp * dp_};
     const AskEdge ask =
         edge({-overlap_over_dp * dp_, 0.0, buffer_over_dp * dp_, again_over_dp * dp_, barren_over_dp * dp_});
-    coarse_.edges().label(ask, label, zone_);
+    coarse_.maker().label(ask, label, zone_);
 }
 
 EdgeSteps::Spray Refinement::label_fine() {
     const LabelFine label{.gone_beyond = gone_over_dp * dp_};
     const AskEdge ask = edge({0.0, gone_over_dp * dp_});
     const Asking asking{.of = Giving::all, .apart = fine_apart};
-    return fine_.edges().label(ask, label, zone_, coarse_.edges(), asking);
+    return fine_.maker().label(ask, label, zone_, coarse_.maker(), asking);
 }
 
 void Refinement::relabel() {
     const Stopwatch watch(ledger_.seconds);
     label_coarse();
-    if (!fine_.lists_due() && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_) return;
+    if (!fine_.system().near.life.over && !fine_.lists_outlived() && gone_since_ + in_a_step_ < patience_over_dp * dp_)
+        return;
     gone_since_ = 0;
     EdgeSteps::Spray spray = label_fine();
-    const Comm& ranks = fine_.ranks();
+    const Comm& ranks = fine_.system().ranks();
     std::vector<std::size_t> fallen;
     for (const Refinement* edge = outer_; edge; edge = edge->outer_) {
         if (ranks.sum(static_cast<std::int64_t>(spray.far.size())) == 0) break;
@@ -90,7 +91,7 @@ void Refinement::relabel() {
 std::vector<char> Refinement::covers(const std::vector<Located>& who) const {
     FieldsAt at{Asking{.of = Giving::all, .apart = fine_apart}};
     for (const Located& one : who) at.places.emplace_back(one.place.x, one.place.y, one.place.z);
-    coarse_.interpolate(at);
+    coarse_.fields().interpolate(at);
     std::vector<char> yes;
     for (const float support : at.support) yes.push_back(support >= BecomeBuffer::covered);
     return yes;
@@ -98,41 +99,41 @@ std::vector<char> Refinement::covers(const std::vector<Located>& who) const {
 
 void Refinement::prolong(double moved, double compressed) {
     const Stopwatch watch(ledger_.seconds);
-    const Eigen::Vector3f fall = fine_.body_force().cast<float>();
+    const Eigen::Vector3f fall = fine_.system().body_force().cast<float>();
     const FollowCoarser follow{.excess = excess_,
-                               .row = fine_.density_of_row(),
+                               .row = fine_.system().density_of_row(),
                                .moved = moved,
                                .compressed = compressed,
                                .fall = {fall.x(), fall.y(), fall.z()}};
     const Asking asking{.apart = fine_apart, .without = &excess_};
-    const Followed buffers = fine_.edges().follow_coarser(coarse_.edges(), asking, follow);
+    const Followed buffers = fine_.maker().follow_coarser(coarse_.maker(), asking, follow);
     ledger_.orphans = buffers.orphans;
     // that of the coarse level: of those that are to have daughters
-    in_a_step_ = moved * std::max(coarse_.extremes().speed, std::sqrt(buffers.fastest2));
+    in_a_step_ = moved * std::max(coarse_.system().extremes.speed, std::sqrt(buffers.fastest2));
     gone_since_ += in_a_step_;
 }
 
 void Refinement::restrict_over(double moved, double density_before) {
     const Stopwatch watch(ledger_.seconds);
-    const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.body_force().cast<float>();
+    const Eigen::Vector3f fall = static_cast<float>(moved) * coarse_.system().body_force().cast<float>();
     const FollowFiner follow{
-        .excess = excess_, .row = coarse_.density_of_row(), .fall = {fall.x(), fall.y(), fall.z()}};
+        .excess = excess_, .row = coarse_.system().density_of_row(), .fall = {fall.x(), fall.y(), fall.z()}};
     const Asking asking{.of = Giving::not_buffers,
                         .apart = coarse_apart,
                         .density_before = density_before,
                         .want_compression = true,
                         .without = &excess_};
-    const Followed under = coarse_.edges().follow_finer(fine_.edges(), asking, follow);
+    const Followed under = coarse_.maker().follow_finer(fine_.maker(), asking, follow);
     ledger_.orphans += under.orphans;
 }
 
 double Refinement::mass_under(const KindCounts& coarse) const {
-    return coarse_.mass() * double(coarse.under() - coarse.under_beyond);
+    return coarse_.system().mass * double(coarse.under() - coarse.under_beyond);
 }
 
 double Refinement::surplus(const KindCounts& coarse, const KindCounts& fine) const {
-    const std::int64_t water = fine_.count() - fine.buffers - fine.water_beyond - ledger_.spray;
-    return fine_.mass() * double(water) - mass_under(coarse);
+    const std::int64_t water = fine_.fields().count() - fine.buffers - fine.water_beyond - ledger_.spray;
+    return fine_.system().mass * double(water) - mass_under(coarse);
 }
 
 double Refinement::mass_drift(const KindCounts& coarse, const KindCounts& fine) const {

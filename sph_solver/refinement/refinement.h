@@ -79,10 +79,10 @@ public:
     /// Mass of the fine level's particles in the zone less that of the coarse particles under it [kg]. Spray beyond the
     /// zone is not counted: the coarse particles that it belongs to left the zone with the water it came from. Nor is
     /// what is past an outlet, where coarse particles that were there at the start stand for nobody.
-    double surplus() const { return surplus(coarse_.kinds(), fine_.kinds()); }
+    double surplus() const { return surplus(coarse_.fields().kinds(), fine_.fields().kinds()); }
     /// How far the surplus has come from what it was at the start (where a solid cuts the two lattices differently it
     /// is not zero), as a share of the mass of the coarse particles under the zone.
-    double mass_drift() const { return mass_drift(coarse_.kinds(), fine_.kinds()); }
+    double mass_drift() const { return mass_drift(coarse_.fields().kinds(), fine_.fields().kinds()); }
     /// The same for who has counted the two levels' particles.
     double mass_drift(const KindCounts& coarse, const KindCounts& fine) const;
 
@@ -96,10 +96,10 @@ private:
     AskEdge edge(std::initializer_list<double> limits) const;
     EdgeSteps::Spray label_fine();
     void split_parents();
-    std::size_t daughters_of_one() const { return coarse_.dimensions() == 3 ? 8 : 4; }
+    std::size_t daughters_of_one() const { return coarse_.system().around.dimensions == 3 ? 8 : 4; }
     std::vector<Vec3> octants(const Vec3& parent) const;  ///< places of its daughters
     /// The buffer particles that have one of the parents that come back, of all ranks, nearest of all coarse particles,
-    /// and which of the own ones are too many there. Indices are those of Level::of_all_ranks.
+    /// and which of the own ones are too many there. Indices are those of RankShare::of_all_ranks.
     struct Families {
         std::unordered_map<std::int64_t, std::vector<Located>> of;
         std::vector<std::size_t> too_many;

@@ -17,9 +17,9 @@ std::vector<Vec3> Refinement::octants(const Vec3& parent) const {
     for (int octant = 0; octant < static_cast<int>(daughters_of_one()); ++octant) {
         const double half = dp_ / 2;
         const Vec3 to(octant & 1 ? half : -half,
-                      coarse_.dimensions() == 2 ? 0
-                      : octant & 4              ? half
-                                                : -half,
+                      coarse_.system().around.dimensions == 2 ? 0
+                      : octant & 4                            ? half
+                                                              : -half,
                       octant & 2 ? half : -half);
         places.push_back(parent + to);
     }
@@ -31,18 +31,18 @@ Refinement::Families Refinement::families_of(const std::vector<Parent>& parents)
     std::vector<Located> back, near, buffers;
     for (const Parent& p : parents)
         if (p.before == Daughters::some) back.push_back({p.index, p.place});
-    back = coarse_.of_all_ranks(std::move(back));
+    back = coarse_.share().of_all_ranks(std::move(back));
     if (back.empty()) return families;
-    Crowd crowd(coarse_.setup().dp, coarse_.dimensions());
+    Crowd crowd(coarse_.system().setup.dp, coarse_.system().around.dimensions);
     for (const Located& parent : back) families.of[parent.index], crowd.mark(place_of(parent));
     const auto not_marked = [&](const Located& one) { return !crowd.is_marked(place_of(one)); };
-    near = coarse_.edges().between(0, overlap_over_dp * dp_);
+    near = coarse_.maker().between(0, overlap_over_dp * dp_);
     std::erase_if(near, not_marked);
-    for (const Located& one : coarse_.of_all_ranks(std::move(near)))
+    for (const Located& one : coarse_.share().of_all_ranks(std::move(near)))
         crowd.add(place_of(one), static_cast<std::size_t>(one.index));
-    buffers = fine_.edges().buffers();
+    buffers = fine_.maker().buffers();
     std::erase_if(buffers, not_marked);
-    for (const Located& buffer : fine_.of_all_ranks(std::move(buffers))) {
+    for (const Located& buffer : fine_.share().of_all_ranks(std::move(buffers))) {
         const std::optional<std::size_t> parent = crowd.nearest(place_of(buffer));
         if (!parent) continue;
         if (const auto family = families.of.find(static_cast<std::int64_t>(*parent)); family != families.of.end())
@@ -53,14 +53,14 @@ Refinement::Families Refinement::families_of(const std::vector<Parent>& parents)
         std::ranges::stable_sort(family, {},
                                  [&](const Located& k) { return (place_of(k) - place_of(parent)).squaredNorm(); });
         for (std::size_t k = daughters_of_one(); k < family.size(); ++k)
-            if (const auto own = fine_.owned(family[k].index)) families.too_many.push_back(*own);
+            if (const auto own = fine_.share().owned(family[k].index)) families.too_many.push_back(*own);
     }
     return families;
 }
 
 void Refinement::split_parents() {
-    const std::vector<Parent> parents = coarse_.edges().find_parents(buffer_over_dp * dp_);
-    if (coarse_.ranks().sum(static_cast<std::int64_t>(parents.size())) == 0) return;
+    const std::vector<Parent> parents = coarse_.maker().find_parents(buffer_over_dp * dp_);
+    if (coarse_.system().ranks().sum(static_cast<std::int64_t>(parents.size())) == 0) return;
     const Families families = families_of(parents);
     FieldsAt at;
     at.apart = fine_apart;
@@ -68,7 +68,7 @@ void Refinement::split_parents() {
     std::vector<std::int32_t> by;
     for (const Parent& parent : parents) {
         std::vector<Vec3> places = octants(place_of(parent));
-        if (const auto found = families.of.find(coarse_.among_all(static_cast<std::size_t>(parent.index)));
+        if (const auto found = families.of.find(coarse_.share().among_all(static_cast<std::size_t>(parent.index)));
             found != families.of.end()) {
             const auto from_family = [&](const Vec3& x) {
                 double least = std::numeric_limits<double>::infinity();
@@ -82,8 +82,8 @@ void Refinement::split_parents() {
         parent_of.resize(at.places.size(), &parent);
         by.resize(at.places.size(), static_cast<std::int32_t>(parent.index));
     }
-    coarse_.interpolate(at);
-    const Level::Numbers numbers = coarse_.number_by_pencil(by);
+    coarse_.fields().interpolate(at);
+    const RankShare::Numbers numbers = coarse_.share().number_by_pencil(by);
     const std::int64_t first_id = fine_.take_ids(numbers.all);
     std::vector<Child> daughters;
     for (std::size_t k = 0; k < parent_of.size(); ++k) {
@@ -96,12 +96,12 @@ void Refinement::split_parents() {
     }
     ledger_.splits += numbers.all;
     remove_gone(families.too_many);
-    fine_.edges().add(daughters);
+    fine_.maker().add(daughters);
     fine_.make_lists_due();
 }
 
 void Refinement::remove_gone(const std::vector<std::size_t>& more) {
-    const std::int64_t merges = fine_.edges().remove_gone(more);
+    const std::int64_t merges = fine_.maker().remove_gone(more);
     ledger_.merges += merges;
     if (merges > 0) fine_.make_lists_due();
 }

@@ -54,7 +54,7 @@ Checkpoint checkpoint_of(const Simulation& simulation, double mass_at_start) {
     for (std::size_t k = 0; k < simulation.levels().size(); ++k) {
         const Level& level = simulation.level(k);
         Checkpoint::OfLevel& saved = c.levels.emplace_back();
-        saved.material = level.setup().material;
+        saved.material = level.system().setup.material;
         saved.state = level.state();
         saved.particles.copy_saved_of(particles.of(k));
     }
@@ -102,16 +102,17 @@ void restore(Simulation& simulation, Checkpoint checkpoint) {
                         "--overwrite",
                         checkpoint.levels.size(), levels));
     for (std::size_t k = 0; k < levels; ++k)
-        if (checkpoint.levels[k].material != simulation.level(k).setup().material)
+        if (checkpoint.levels[k].material != simulation.level(k).system().setup.material)
             throw InputError(
                 fmt::format("level {} of the checkpoint is {}, the scene's is {}; start anew with "
                             "--overwrite",
-                            k, checkpoint.levels[k].material, simulation.level(k).setup().material));
-    simulation.level(0).ranks().on_first([&] {
+                            k, checkpoint.levels[k].material, simulation.level(k).system().setup.material));
+    simulation.level(0).system().ranks().on_first([&] {
         for (std::size_t k = 0; k < levels; ++k) {
             const Particles& p = checkpoint.levels[k].particles;
             p.each([&](const AnyField& field) {
-                if (field.saved() && simulation.level(k).particles().has(field.with()) && field.length() != p.size())
+                if (field.saved() && simulation.level(k).fields().particles().has(field.with()) &&
+                    field.length() != p.size())
                     throw InputError(
                         "the checkpoint was written by an earlier version of twinwake; start anew with --overwrite");
             });

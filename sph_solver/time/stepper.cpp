@@ -20,7 +20,7 @@ bool RefinementLevel::lists_outlived() const {
 }
 
 bool RefinementLevel::lists_due() const {
-    return std::ranges::any_of(levels, [](const Level* level) { return level->lists_due(); });
+    return std::ranges::any_of(levels, [](const Level* level) { return level->system().near.life.over; });
 }
 
 void RefinementLevel::make_lists_due() const {
@@ -43,11 +43,11 @@ Stepper::Stepper(std::vector<RefinementLevel> refinement_levels, const Bodies& b
 void Stepper::advance(std::size_t k, double dt) {
     RefinementLevel& refinement_level = refinement_levels_[k];
     const bool finest = refinement_level.edge == nullptr;
-    const double before = refinement_level.water().dt();
+    const double before = refinement_level.water().system().dt;
     if (refinement_level.lists_outlived()) refinement_level.make_lists_due();
 
     const auto [after, compress, drift] = schedule_.evaluation(before);
-    const double t = refinement_level.water().time() + after;
+    const double t = refinement_level.water().system().time + after;
     if (schedule_.stages().empty()) {
         evaluate(refinement_level, t, compress, drift);
         set_step(refinement_level, dt > 0 ? dt : longest_step());
@@ -55,7 +55,7 @@ void Stepper::advance(std::size_t k, double dt) {
         evaluate_stages(refinement_level, dt);
     }
 
-    const Schedule::Move move = schedule_.move(before, refinement_level.water().dt());
+    const Schedule::Move move = schedule_.move(before, refinement_level.water().system().dt);
     if (finest) {
         sub_iterate_bodies(refinement_level, move, t);
         move_bodies(refinement_level, move);
@@ -69,8 +69,8 @@ void Stepper::advance(std::size_t k, double dt) {
     }
 
     // The fine level's last evaluation was half its step before its present places, the coarse level's half its step.
-    const double fine_before = refinement_levels_[k + 1].water().dt(), first = move.kick / 2,
-                 second = refinement_level.water().dt() / 2;
+    const double fine_before = refinement_levels_[k + 1].water().system().dt, first = move.kick / 2,
+                 second = refinement_level.water().system().dt / 2;
     refinement_level.edge->prolong(move.kick, (before + fine_before) / 2);
     advance(k + 1, first);
     advance(k + 1, second);
@@ -94,15 +94,15 @@ void Stepper::evaluate(RefinementLevel& refinement_level, double t, double compr
 void Stepper::press(RefinementLevel& refinement_level, double t) {
     for (Level* level : refinement_level.levels) level->second_pair_loop(t);
     for (LevelPair& pair : refinement_level.pairs) pair.press(t);
-    for (Level* level : refinement_level.levels) level->exchange_rates();
-    for (Level* level : refinement_level.levels) level->gather_loads(moment_reference_);
+    for (Level* level : refinement_level.levels) level->maker().exchange_rates();
+    for (Level* level : refinement_level.levels) level->loads().gather(moment_reference_);
 }
 
 void Stepper::evaluate_stages(RefinementLevel& refinement_level, double dt) {
     const bool freeze = schedule_.freezes_diffusion();
-    const double start = refinement_level.water().time();
-    if (refinement_level.lists_due()) find_neighbours(refinement_level, refinement_level.water().dt());
-    for (Level* level : refinement_level.levels) level->begin_stages(freeze);
+    const double start = refinement_level.water().system().time;
+    if (refinement_level.lists_due()) find_neighbours(refinement_level, refinement_level.water().system().dt);
+    for (Level* level : refinement_level.levels) level->stages().begin(freeze);
     std::vector<std::vector<double>> bodies_at_start;
     for (const auto& body : bodies_) bodies_at_start.push_back(body->state());
     const auto place_bodies = [&](double since) {
@@ -113,15 +113,15 @@ void Stepper::evaluate_stages(RefinementLevel& refinement_level, double dt) {
     };
     for (const Stage& stage : schedule_.stages()) {
         const bool first = &stage == &schedule_.stages().front();
-        const double since = first ? 0 : stage.c * refinement_level.water().dt();
+        const double since = first ? 0 : stage.c * refinement_level.water().system().dt;
         if (!first)
-            for (Level* level : refinement_level.levels) level->go_to_stage(since);
+            for (Level* level : refinement_level.levels) level->stages().go_to(since);
         place_bodies(since);
         evaluate(refinement_level, start + since, 0, 0);
         if (first) set_step(refinement_level, dt > 0 ? dt : longest_step());
-        for (Level* level : refinement_level.levels) level->add_stage(stage.weight, first, freeze);
+        for (Level* level : refinement_level.levels) level->stages().add(stage.weight, first, freeze);
     }
-    for (Level* level : refinement_level.levels) level->end_stages();
+    for (Level* level : refinement_level.levels) level->stages().end();
     place_bodies(0);
 }
 
@@ -174,10 +174,10 @@ private:
 /// By all materials, each with its share of the support.
 PointSamples felt(const RefinementLevel& refinement_level, std::vector<Vec3> places) {
     PointSamples all{std::move(places), false, {}, {}, {}};
-    refinement_level.water().sample(all);
+    refinement_level.water().fields().sample(all);
     for (std::size_t other = 1; other < refinement_level.levels.size(); ++other) {
         PointSamples of{all.places, false, {}, {}, {}};
-        refinement_level.levels[other]->sample(of);
+        refinement_level.levels[other]->fields().sample(of);
         for (std::size_t k = 0; k < all.p.size(); ++k) {
             const float both = all.support[k] + of.support[k];
             if (both > 0) all.p[k] = (all.support[k] * all.p[k] + of.support[k] * of.p[k]) / both;
@@ -189,16 +189,16 @@ PointSamples felt(const RefinementLevel& refinement_level, std::vector<Vec3> pla
 }  // namespace
 
 void Stepper::hand_over(const RefinementLevel& refinement_level, Body& body, std::size_t b) {
-    Load load = refinement_level.water().walls().loads()[b];
+    Load load = refinement_level.water().system().walls.loads()[b];
     for (std::size_t other = 1; other < refinement_level.levels.size(); ++other)
-        load += refinement_level.levels[other]->walls().loads()[b];
+        load += refinement_level.levels[other]->system().walls.loads()[b];
     body.take(load);
     if (std::vector<Vec3> places = body.feels_at(); !places.empty())
         body.take(felt(refinement_level, std::move(places)));
     if (!body.takes_forces_of_dummies()) return;
     for (Level* level : refinement_level.levels) {
-        body.take(*level->walls().attached(b), level->forces_on_dummies(b));
-        for (const WallPush& push : level->walls().pushes())
+        body.take(*level->system().walls.attached(b), level->loads().on_dummies(b));
+        for (const WallPush& push : level->system().walls.pushes())
             if (push.body == b) body.take(push);
     }
 }
@@ -236,14 +236,14 @@ void Stepper::begin_loads() {
 
 void Stepper::add_loads(std::size_t k, double kick) {
     for (std::size_t b = 0; b < loads_.size(); ++b)
-        of_refinement_levels_[k].sum[b] += kick * refinement_levels_[k].water().walls().loads()[b];
+        of_refinement_levels_[k].sum[b] += kick * refinement_levels_[k].water().system().walls.loads()[b];
     of_refinement_levels_[k].over += kick;
 }
 
 /// A single refinement level has made one step, with loads that need no mean.
 void Stepper::end_loads() {
     if (refinement_levels_.size() == 1) {
-        loads_ = refinement_levels_.front().water().walls().loads();
+        loads_ = refinement_levels_.front().water().system().walls.loads();
         return;
     }
     for (std::size_t b = 0; b < loads_.size(); ++b) {

@@ -39,7 +39,7 @@ public:
     }
     /// Both pair loops of the only refinement level at the present state, for those who look at the fields before the
     /// first step.
-    void look() { evaluate(refinement_levels_.front(), refinement_levels_.front().water().time(), 0, 0); }
+    void look() { evaluate(refinement_levels_.front(), refinement_levels_.front().water().system().time, 0, 0); }
     /// Puts another material beside those of the only refinement level.
     void add(Level& level) { refinement_levels_.front().add(level); }
 

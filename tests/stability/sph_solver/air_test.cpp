@@ -29,14 +29,14 @@ TEST(AirStability, AColumnCollapsesUnderALid) {
     AirOptions air;
     air.sound_speed = 120;
     add_air(simulation, air, fill_with_air(s, column));
-    const std::size_t water = simulation.particles().size(), gas = simulation.gas()->particles().size();
+    const std::size_t water = simulation.particles().size(), gas = simulation.gas()->fields().particles().size();
     const double before = water_energy(simulation) + gas_energy(*simulation.gas(), simulation.setup().gravity);
     double most = before, fastest_air = 0, highest = 0;
     while (simulation.time() < 1.2) {
         run_on(simulation, simulation.time() + 0.02, 0.5, 0.2);
         if (testing::Test::HasFatalFailure()) return;
         most = std::max(most, water_energy(simulation) + gas_energy(*simulation.gas(), simulation.setup().gravity));
-        fastest_air = std::max(fastest_air, simulation.gas()->extremes().speed);
+        fastest_air = std::max(fastest_air, simulation.gas()->system().extremes.speed);
         for (const double z : simulation.particles().z) highest = std::max(highest, z);
     }
     const double after = water_energy(simulation) + gas_energy(*simulation.gas(), simulation.setup().gravity);
@@ -44,8 +44,8 @@ TEST(AirStability, AColumnCollapsesUnderALid) {
         "collapse under a lid: energy %.1f, at most %.1f, at the end %.1f J; air at most %.1f m/s; splash to %.2f m\n",
         before, most, after, fastest_air, highest);
     EXPECT_EQ(simulation.particles().size(), water);
-    EXPECT_EQ(simulation.gas()->particles().size(), gas);
-    EXPECT_EQ(simulation.gas()->ledger().lost, 0);
+    EXPECT_EQ(simulation.gas()->fields().particles().size(), gas);
+    EXPECT_EQ(simulation.gas()->system().ledger.lost, 0);
     EXPECT_LT(most, before * 1.001);
     EXPECT_LT(after, before);
     EXPECT_LT(fastest_air, 0.5 * air.sound_speed);
@@ -69,7 +69,7 @@ TEST(AirStability, MomentumIsKept) {
         for (float& drho : p.drho) drho = of.state_equation.deviation(of.rho0, 2e4);
     };
     press(simulation.fields_to_set(), simulation.setup());
-    press(simulation.gas()->fields_to_set(), simulation.gas()->setup());
+    press(simulation.gas()->fields_to_set(), simulation.gas()->system().setup);
     for (float& u : simulation.fields_to_set().u) u = 3;
     const double before = sums_of(simulation).x;
     while (simulation.time() < 0.05) simulation.step();

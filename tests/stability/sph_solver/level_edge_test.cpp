@@ -20,11 +20,12 @@ struct Sums {
 Sums sums_of_levels(const Simulation& s) {
     Sums sum;
     for (const auto& level : s.levels()) {
-        const Particles& p = level->particles();
+        const Particles& p = level->fields().particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
-            sum.mass += level->mass();
-            sum.energy += level->mass() * (9.81 * p.z[i] + 0.5 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]));
+            sum.mass += level->system().mass;
+            sum.energy +=
+                level->system().mass * (9.81 * p.z[i] + 0.5 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]));
         }
     }
     return sum;
@@ -49,8 +50,9 @@ void collapses_over(const Zone& zone, const char* where) {
         most_energy = std::max(most_energy, now.energy / start.energy);
         if (run.time() < 0.3)
             for (const auto& level : run.levels())
-                for (std::size_t i = 0; i < level->particles().size(); ++i)
-                    if (is_active(level->particles().kind[i])) front = std::max(front, level->particles().x[i]);
+                for (std::size_t i = 0; i < level->fields().particles().size(); ++i)
+                    if (is_active(level->fields().particles().kind[i]))
+                        front = std::max(front, level->fields().particles().x[i]);
     }
     const Refinement& edge = run.refinements()[0];
     std::printf("dam break over an edge %s: mass within %.2f %%, energy at most %.3f of the start's, %lld births\n",

@@ -26,7 +26,7 @@ TEST(BlockOnTheFloor, LetsNoWaterUnderIt) {
     std::size_t impulses = 0;
     while (run.time() < 0.65) {
         run.step();
-        const Particles& p = run.finest().particles();
+        const Particles& p = run.finest().fields().particles();
         impulses = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;

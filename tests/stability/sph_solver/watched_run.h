@@ -31,9 +31,9 @@ struct Sums {
 };
 inline Sums sums_of(const Level& level) {
     Sums s;
-    const Particles& p = level.particles();
+    const Particles& p = level.fields().particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
-        const double m = level.mass(), u = p.u[i], w = p.w[i];
+        const double m = level.system().mass, u = p.u[i], w = p.w[i];
         s.energy += 0.5 * m * (u * u + w * w);
         s.x += m * u, s.z += m * w;
         s.turn += m * (p.z[i] * u - p.x[i] * w);

@@ -33,12 +33,13 @@ void expect_same_steps(Simulation& host, Simulation& device, int steps) {
         ASSERT_EQ(host.dt(), device.dt()) << "step " << k;
         for (std::size_t b = 0; b < host.bodies().size(); ++b) {
             ASSERT_EQ(host.load(b).force, device.load(b).force) << "step " << k;
-            ASSERT_EQ(host.gas()->walls().loads()[b].force, device.gas()->walls().loads()[b].force) << "step " << k;
+            ASSERT_EQ(host.gas()->system().walls.loads()[b].force, device.gas()->system().walls.loads()[b].force)
+                << "step " << k;
             ASSERT_EQ(host.body(b).state(), device.body(b).state()) << "step " << k;
         }
     }
     EXPECT_TRUE(same_bits(host.particles(), device.particles()));
-    EXPECT_TRUE(same_bits(host.gas()->particles(), device.gas()->particles()));
+    EXPECT_TRUE(same_bits(host.gas()->fields().particles(), device.gas()->fields().particles()));
     EXPECT_GT(device.gas()->timers().rebuilds, 1);
 }
 
@@ -101,7 +102,7 @@ TEST_F(OnDevice, OfAirAndWaterNothingTravelsButTheStepsExtremes) {
     for (int k = 0; k < steps; ++k) run.step();
     const cuda::Device::Traffic to = device->traffic();
     const double bytes = double(to.to_device - from.to_device + to.to_host - from.to_host) / steps,
-                 particles = double(run.level(0).count() + run.gas()->count());
+                 particles = double(run.level(0).fields().count() + run.gas()->fields().count());
     std::printf("air and water: %.2f bytes a particle and step between host and device\n", bytes / particles);
     EXPECT_LT(bytes, 4 * particles);  // one number of each in single precision
     EXPECT_GT(run.gas()->timers().rebuilds, 1);

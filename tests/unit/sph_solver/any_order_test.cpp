@@ -14,6 +14,7 @@
 #include "sph_solver/measure/tank_balance.h"
 #include "sph_solver/measure/water_energy.h"
 #include "sph_solver/simulation.h"
+#include "system_to_change.h"
 
 namespace tw {
 namespace any_order_test {
@@ -60,13 +61,13 @@ TEST(AnyOrder, OfEnergyAndOfMomentumInAVolume) {
     const SimulationSetup s = tank_with_a_box();
     Simulation simulation(s, water_of(s));
     const ControlVolume volume({Vec3(0.22, 0, 0), Vec3(1.4, 0.61, 0.43)}, dp, {});
-    Particles& p = simulation.level(0).system().particles;
+    Particles& p = system_to_change(simulation.level(0)).particles;
     stir(p);
     const auto measure = [&] {
         const WaterEnergy e = water_energy(simulation);
         using Inside = ControlVolume::Inside;
-        const Inside inside =
-            simulation.level(0).sum_over_all<Inside>([&](Inside& sum, std::size_t i) { volume.add_inside(p, i, sum); });
+        const Inside inside = simulation.level(0).fields().sum_over_all<Inside>(
+            [&](Inside& sum, std::size_t i) { volume.add_inside(p, i, sum); });
         const Vec3 momentum = inside.momentum.value();
         const double mass = inside.share.value();
         return std::vector{e.mass,        e.kinetic,    e.potential,
@@ -93,7 +94,7 @@ TEST(AnyOrder, OfWhatATankThatMovesDoes) {
     s.effects.push_back(MovingTank{});
     const auto row_of = [&](bool reordered) {
         Simulation simulation(s, water_of(s));
-        Particles& p = simulation.level(0).system().particles;
+        Particles& p = system_to_change(simulation.level(0)).particles;
         stir(p);
         const auto reorder = [&] {
             if (reordered) p.reorder(shuffled(p.size()));
@@ -161,11 +162,11 @@ std::vector<double> advanced(bool reordered) {
     Simulation simulation(s, water_of(s));
     simulation.set_control_volume(ControlVolume({Vec3(0.22, 0, 0), Vec3(1.4, 0.61, 0.43)}, dp, {}));
     Level& level = simulation.level(0);
+    Particles& p = system_to_change(level).particles;
     level.refresh(0);
     level.first_pair_loop(0, 0, 0, nullptr);
     level.second_pair_loop(0);
-    level.gather_loads(Vec3::Zero());
-    Particles& p = level.system().particles;
+    level.loads().gather(Vec3::Zero());
     stir(p, 6);  // onto the box, so fast that nothing but the last resort keeps them out
     if (reordered) {
         std::vector<std::int32_t> order = shuffled(p.size());
@@ -177,9 +178,9 @@ std::vector<double> advanced(bool reordered) {
     }
     const double dt = 0.6 * dp / 6;
     const Level::Impulses impulses = level.advance({dt, 0, dt}, Vec3(0.3, 0.1, 0.2));
-    EXPECT_GT(level.ledger().held, 100);
+    EXPECT_GT(level.system().ledger.held, 100);
     std::vector<double> all;
-    const Load& load = level.walls().loads().front();
+    const Load& load = level.system().walls.loads().front();
     for (const Vec3& v : {impulses.bodies.front().impulse, impulses.bodies.front().turn, load.force, load.moment,
                           level.control_volume()->state().crossed})
         all.insert(all.end(), v.begin(), v.end());
@@ -210,11 +211,11 @@ TEST(AnyOrder, AtTheStartAndAnyNumberOfThreadsFloatABodyAlike) {
             fluid.depth[k] = kept.depth[static_cast<std::size_t>(order[k])];
         }
         Simulation simulation(s, fluid);
+        Particles& p = system_to_change(simulation.level(0)).particles;
         std::vector<double> all;
         for (int k = 0; k < 40; ++k) {
             if (k == 20) simulation.mark_restart_point();
-            if (k == 20 && reordered)
-                simulation.level(0).system().particles.reorder(shuffled(simulation.particles().size()));
+            if (k == 20 && reordered) p.reorder(shuffled(p.size()));
             simulation.step();
             const Load load = simulation.load();
             for (const Vec3& v : {load.force, load.moment, rigid_of(simulation.body(0)).state().centre})

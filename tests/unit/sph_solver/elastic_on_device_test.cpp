@@ -15,7 +15,7 @@ namespace elastic_on_device_test {
 
 ::testing::AssertionResult same_bits(const Simulation& a, const Simulation& b) {
     for (std::size_t k = 0; k < a.levels().size(); ++k)
-        if (const auto same = tw::same_bits(a.level(k).particles(), b.level(k).particles()); !same)
+        if (const auto same = tw::same_bits(a.level(k).fields().particles(), b.level(k).fields().particles()); !same)
             return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
     for (std::size_t k = 0; k < a.bodies().size(); ++k)
         if (a.body(k).state() != b.body(k).state()) return ::testing::AssertionFailure() << "body " << k << " differs";
@@ -71,7 +71,7 @@ TEST_F(OnDevice, APlatePressesOnTheDevicesWaterByPenaltyContact) {
     s.bodies[0] = BodySetup(setup);
     Runs run(s, {column.water(s)});
     expect_same_steps(run.host, run.device, 60);
-    EXPECT_FALSE(run.device.level(0).walls().pushes().empty());
+    EXPECT_FALSE(run.device.level(0).system().walls.pushes().empty());
 }
 
 TEST_F(OnDevice, APlateBendsUnderWaterOfTwoSizes) {
@@ -161,7 +161,7 @@ TEST_F(OnDevice, OfTheWaterOverAPlateOnlyWhatIsNearItTravels) {
         for (int k = 0; k < steps; ++k) run.step();
         const cuda::Device::Traffic to = device->traffic();
         bytes[twice] = double(to.to_device - from.to_device + to.to_host - from.to_host) / steps;
-        particles[twice] = run.level(0).count();
+        particles[twice] = run.level(0).fields().count();
     }
     const double more = (bytes[1] - bytes[0]) / double(particles[1] - particles[0]);
     std::printf("a plate under water: %.0f bytes a step, and %.2f more for each particle more\n", bytes[0], more);

@@ -165,9 +165,9 @@ TEST(Engine, ARestartWithAirGoesOnWithTheSameBitsAndAnyNumberOfThreads) {
     restore(resumed, saved);
     for (int k = 0; k < 60; ++k) whole.step(), resumed.step();
     EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
-    EXPECT_TRUE(same_bits(whole.gas()->particles(), resumed.gas()->particles()));
+    EXPECT_TRUE(same_bits(whole.gas()->fields().particles(), resumed.gas()->fields().particles()));
     EXPECT_EQ(whole.dt(), resumed.dt());
-    EXPECT_GT(whole.gas()->extremes().speed, 0);
+    EXPECT_GT(whole.gas()->system().extremes.speed, 0);
 }
 
 TEST(Engine, AFreeBlobKeepsItsMomentumWhateverItsParticlesDo) {
@@ -261,7 +261,7 @@ TEST(Engine, EveryInstructionSetGivesTheSameAir) {
         add_air(simulation, {}, fill_with_air(s, falling));
         while (simulation.time() < 0.05) simulation.step();
         speeds.push_back(0);
-        for (const float u : simulation.gas()->particles().u) speeds.back() += double(std::abs(u));
+        for (const float u : simulation.gas()->fields().particles().u) speeds.back() += double(std::abs(u));
     });
     EXPECT_GT(speeds.front(), 1);
     for (const double speed : speeds) EXPECT_NEAR(speed, speeds.front(), 0.01 * speeds.front());

@@ -11,6 +11,7 @@
 #include "record/recorded_checks.h"
 #include "sph_solver/measure/zone_mass.h"
 #include "sph_solver/run_sph.h"
+#include "system_to_change.h"
 
 namespace tw {
 namespace level_ledger_test {
@@ -36,12 +37,12 @@ Simulation stream_through_a_zone(double air_above = 0) {
 
 TEST(LevelLedger, CountsEveryParticleOnceAndBalancesBirthsAndDeaths) {
     Simulation simulation = stream_through_a_zone();
-    const std::size_t at_start = simulation.level(1).particles().size();
+    const std::size_t at_start = simulation.level(1).fields().particles().size();
     for (int k = 0; k < 30; ++k) simulation.step();
     for (std::size_t k = 0; k < 2; ++k) {
         const LevelLedger l = level_ledgers(simulation)[k];
         EXPECT_EQ(l.active + l.buffers + l.overlap + l.slaves,
-                  static_cast<std::int64_t>(simulation.level(k).particles().size()));
+                  static_cast<std::int64_t>(simulation.level(k).fields().particles().size()));
         EXPECT_EQ(l.buffers > 0, k == 1);
         EXPECT_EQ(l.overlap + l.slaves > 0, k == 0);
     }
@@ -51,7 +52,7 @@ TEST(LevelLedger, CountsEveryParticleOnceAndBalancesBirthsAndDeaths) {
     EXPECT_EQ(fine.spacing, coarse.spacing / 2);
     ASSERT_GT(fine.edge.splits, 0);
     ASSERT_GT(fine.edge.merges, 0);
-    EXPECT_EQ(static_cast<std::int64_t>(simulation.level(1).particles().size()),
+    EXPECT_EQ(static_cast<std::int64_t>(simulation.level(1).fields().particles().size()),
               static_cast<std::int64_t>(at_start) + fine.edge.splits - fine.edge.merges);
 }
 
@@ -60,7 +61,7 @@ TEST(LevelLedger, MassThatAZoneLosesIsTold) {
     Simulation simulation = stream_through_a_zone();
     EXPECT_EQ(level_ledgers(simulation)[1].mass_drift, 0);
     int taken = 0;
-    for (Kind& kind : simulation.level(1).system().particles.kind)
+    for (Kind& kind : system_to_change(simulation.level(1)).particles.kind)
         if (kind == Kind::fluid && taken < 8) kind = Kind::buffer, ++taken;
     EXPECT_NEAR(level_ledgers(simulation)[1].mass_drift, -1.0 / 200, 1e-12);
     // Where that stays so, the record says so; two steps without the rows that are on their way are no loss.

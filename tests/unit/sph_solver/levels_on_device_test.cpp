@@ -23,7 +23,7 @@ SimulationSetup stream() {
 
 ::testing::AssertionResult same_levels(const Simulation& a, const Simulation& b) {
     for (std::size_t k = 0; k < a.levels().size(); ++k) {
-        const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
+        const Particles &p = a.level(k).fields().particles(), &q = b.level(k).fields().particles();
         if (const auto same = same_bits(p, q); !same)
             return ::testing::AssertionFailure() << "level " << k << ": " << same.message();
         const LevelLedger of_a = level_ledgers(a)[k], of_b = level_ledgers(b)[k];
@@ -82,7 +82,7 @@ TEST_F(OnDevice, WhereSizesMeetFewParticlesTravel) {
     const auto device = put_on_device(run);
     run.step();  // takes all there
     std::int64_t particles = 0;
-    for (const auto& level : run.levels()) particles += level->count();
+    for (const auto& level : run.levels()) particles += level->fields().count();
     const cuda::Device::Traffic from = device->traffic();
     constexpr int steps = 29;
     RunRecord record;
@@ -118,7 +118,7 @@ TEST_F(OnDevice, AColumnSurgesAcrossTheEdgeOfAZoneInThreeDimensions) {
     const std::int64_t first = surge(2);
     EXPECT_GT(first, 0);
     surge(-2);
-    EXPECT_GT(std::ranges::count(device.level(0).particles().daughters, Daughters::some), 0);
+    EXPECT_GT(std::ranges::count(device.level(0).fields().particles().daughters, Daughters::some), 0);
     EXPECT_GT(surge(2), first);  // of parents some of whose daughters are there
 }
 
@@ -128,13 +128,15 @@ TEST_F(OnDevice, SprayEndsInWaterOfAnyCoarserSize) {
     put_on_device(device);
     std::int64_t drop = 0;
     for (Simulation* run : {&host, &device}) {
-        Particles p = run->finest().particles();
+        Particles p = run->finest().fields().particles();
         drop = p.id[0];
         p.kind[0] = Kind::fluid;
         p.x[0] = -1.8, p.z[0] = 0.1, p.u[0] = 0, p.w[0] = -2;  // beyond the zone of the next coarser size
         run->finest().restore(run->finest().state(), std::move(p));
     }
-    const auto there = [&](const Simulation& run) { return std::ranges::count(run.finest().particles().id, drop); };
+    const auto there = [&](const Simulation& run) {
+        return std::ranges::count(run.finest().fields().particles().id, drop);
+    };
     expect_same_steps(host, device, 4);
     EXPECT_EQ(there(device), 1);
     expect_same_steps(host, device, 30);

@@ -10,6 +10,7 @@
 #include "meshes/generate.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
+#include "system_to_change.h"
 #include "three_levels.h"
 
 namespace tw {
@@ -62,7 +63,7 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
             const double top = surface ? 0.79 : 1.55;
             for (const double x : {0.04, 0.33, 0.8, 1.56})
                 for (const double z : {0.04, 0.4, top}) at.places.emplace_back(x, dimensions == 2 ? 0 : 0.77, z);
-            simulation.level(0).interpolate(at);
+            simulation.level(0).fields().interpolate(at);
             for (std::size_t k = 0; k < at.places.size(); ++k) {
                 const Vec3& x = at.places[k];
                 EXPECT_NEAR(at.value[k].u, 1 + 2 * x.x() - x.z(), 2e-5) << dimensions << surface << x.transpose();
@@ -76,12 +77,12 @@ TEST(Interpolation, IsExactForLinearFieldsInsideAtTheSurfaceAndInCorners) {
 // A zone that the water is just coming to holds buffer particles alone.
 TEST(Interpolation, FromNothingThatCountsIsNothing) {
     Simulation simulation = linear_water(2, true);
-    for (Kind& kind : simulation.level(0).system().particles.kind) kind = Kind::buffer;
+    for (Kind& kind : system_to_change(simulation.level(0)).particles.kind) kind = Kind::buffer;
     FieldsAt at;
     at.places = {Vec3(0.8, 0, 0.4), Vec3(0.33, 0, 0.4)};
     at.want_compression = true;
     at.of = Giving::not_buffers;
-    simulation.level(0).interpolate(at);
+    simulation.level(0).fields().interpolate(at);
     ASSERT_EQ(at.compression.size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {
         EXPECT_EQ(at.support[k], 0);
@@ -108,7 +109,7 @@ Simulation four_levels(int threads) {
 
 ::testing::AssertionResult same_bits(const Simulation& a, const Simulation& b) {
     for (std::size_t k = 0; k < a.levels().size(); ++k) {
-        const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
+        const Particles &p = a.level(k).fields().particles(), &q = b.level(k).fields().particles();
         if (p.id != q.id || p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho ||
             p.kind != q.kind || p.daughters != q.daughters)
             return ::testing::AssertionFailure() << "level " << k << " differs";
@@ -134,12 +135,12 @@ TEST(SurfaceExcess, IsThatOfATankAtRest) {
         if (tank.time() < 0.5) continue;
         const Particles& p = tank.particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const double above = tank.level(0).pressure(i) + s.rho0 * 9.81 * p.z[i];
+            const double above = tank.level(0).fields().pressure(i) + s.rho0 * 9.81 * p.z[i];
             if (p.z[i] > -s.dp) top += above / row, ++n;
             if (std::abs(p.z[i] + 4.5 * s.dp) < s.dp / 2) fifth += above / row;
         }
     }
-    const SurfaceExcess excess(tank.level(0).kernel(), s.dp, 2);
+    const SurfaceExcess excess(tank.level(0).system().kernel, s.dp, 2);
     EXPECT_NEAR((top - fifth) / n, excess.uppermost(), 0.06);
     EXPECT_DOUBLE_EQ(excess.of(1), 0);
     EXPECT_DOUBLE_EQ(excess.of(0.3), excess.uppermost());
@@ -149,7 +150,7 @@ TEST(Levels, StartWithOneOwnerForEveryPlace) {
     const Simulation simulation = make(1);
     double mass = 0;
     for (const auto& level : simulation.water())
-        for (const Kind kind : level->particles().kind) mass += is_active(kind) ? level->mass() : 0;
+        for (const Kind kind : level->fields().particles().kind) mass += is_active(kind) ? level->system().mass : 0;
     const double buffers = 2 * 6 * 0.08;
     EXPECT_NEAR(mass, 1000 * ((4.8 + buffers) * 1.6 - 0.2 * 0.1), 1e-6 * mass);
     EXPECT_EQ(simulation.refinements().size(), 2u);
@@ -163,16 +164,16 @@ TEST(Levels, TheCoarsestKeepsItsMassButForInletAndOutlet) {
     EXPECT_GT(simulation.refinements()[1].ledger().merges, 0);
     const Ledger& l = simulation.ledger();
     EXPECT_EQ(static_cast<std::int64_t>(simulation.particles().size()), before + l.in - l.out);
-    EXPECT_DOUBLE_EQ(simulation.level(1).time(), simulation.time());  // two steps of each for one of the coarser
-    EXPECT_NEAR(simulation.level(2).time(), simulation.time(), 1e-12);
-    EXPECT_EQ(simulation.level(2).steps(), 4 * simulation.steps());
+    EXPECT_DOUBLE_EQ(simulation.level(1).system().time, simulation.time());  // two steps of each for one of the coarser
+    EXPECT_NEAR(simulation.level(2).system().time, simulation.time(), 1e-12);
+    EXPECT_EQ(simulation.level(2).system().steps, 4 * simulation.steps());
 }
 
 // Spray of the finest size that flies farther than the zone of the next one comes down on water of a size that is no
 // neighbour of its own. It ends there, as spray over the next size does, and does not fall through to the floor.
 TEST(Levels, FineSprayEndsInWaterOfAnyCoarserSize) {
     Simulation simulation = make(1);
-    Particles& p = simulation.finest().system().particles;
+    Particles& p = system_to_change(simulation.finest()).particles;
     const std::int64_t id = p.id[0];
     const auto drop = [&] { return std::ranges::find(p.id, id); };
     p.kind[0] = Kind::fluid;

@@ -44,8 +44,9 @@ inline const Passes& emulated() { return passes("device_emulated"); }
 inline std::shared_ptr<cuda::Device> put_on_device(Simulation& s) {
     const auto device = cuda::Device::open();
     for (std::size_t k = 0; k < s.levels().size(); ++k) {
-        Level& level = s.level(k);
-        level.leave_steps_to(std::make_unique<LevelOnDevice>(level.system(), level.share(), device));
+        s.level(k).leave_steps_to([&](ParticleSystem& system, RankShare& share) {
+            return std::make_unique<LevelOnDevice>(system, share, device);
+        });
     }
     return device;
 }

@@ -113,10 +113,11 @@ TEST(SprayGate, TakesALumpOfTwoSizesWithAllThatStandsForIt) {
     EXPECT_NEAR(lumps[0].mass, 1000 * 0.2 * 0.1 * 0.1, 1e-9);
     EXPECT_NEAR(lumps[0].place.x(), 0.5, 1e-3);
     for (std::size_t k = 0; k < 2; ++k)
-        EXPECT_EQ(simulation.level(k).particles().size(), without.level(k).particles().size());
+        EXPECT_EQ(simulation.level(k).fields().particles().size(), without.level(k).fields().particles().size());
     for (int n = 0; n < 20; ++n) simulation.step();
     for (std::size_t k = 0; k < 2; ++k)
-        EXPECT_LT(std::ranges::max(simulation.level(k).particles().z), 0.35) << "nothing of it is left in size " << k;
+        EXPECT_LT(std::ranges::max(simulation.level(k).fields().particles().z), 0.35)
+            << "nothing of it is left in size " << k;
 }
 
 /// What is left after water was taken out does not depend on threads, nor on whether it was saved and read.
@@ -127,7 +128,7 @@ TEST(SprayGate, AnyNumberOfThreadsAndARestartGiveTheSameBits) {
         for (int n = 0; n < 10; ++n) simulation.step();
         EXPECT_EQ(gate->take(simulation).size(), 1u);
         Level& level = simulation.level(0);
-        if (restart) level.restore(level.state(), Particles(level.particles()));
+        if (restart) level.restore(level.state(), Particles(level.fields().particles()));
         for (int n = 0; n < 30; ++n) simulation.step();
         return simulation.particles();
     };

@@ -70,7 +70,7 @@ struct Cushions {
         const std::vector<Box> water{{Vec3(0, -1, -L / 2), Vec3(12 * dp, 1, L / 2)}};
         Simulation simulation(s, fill_with_fluid(s, water));
         add_air(simulation, air, fill_with_air(s, water));
-        EXPECT_EQ(simulation.gas()->particles().size(), simulation.particles().size());
+        EXPECT_EQ(simulation.gas()->fields().particles().size(), simulation.particles().size());
         for (float& w : simulation.fields_to_set().w) w = 0.05f;  // of the cushion's height: 0.4 %
         std::vector<double> time, momentum;
         while (simulation.time() < 2.5 * 2 * pi / exact()) {
@@ -158,15 +158,15 @@ TEST(Air, StaysAboveWaterAtRest) {
         pressure2 += std::pow(simulation.pressure(i) - exact, 2) / double(p.size());
     }
     const Level& air = *simulation.gas();
-    for (std::size_t i = 0; i < air.particles().size(); ++i) {
-        lowest = std::min(lowest, air.particles().z[i]);
-        air2 += std::pow(double(air.particles().u[i]), 2) + std::pow(double(air.particles().w[i]), 2);
+    for (std::size_t i = 0; i < air.fields().particles().size(); ++i) {
+        lowest = std::min(lowest, air.fields().particles().z[i]);
+        air2 += std::pow(double(air.fields().particles().u[i]), 2) + std::pow(double(air.fields().particles().w[i]), 2);
     }
     const double scale = 1000 * 9.81 * Layers::H;
     std::printf(
         "at rest: pressure %.2f %%, kinetic energy %.1e, highest water %.2f dp, lowest air %.2f dp, air %.3f m/s\n",
         100 * std::sqrt(pressure2) / scale, kinetic / (scale * Layers::H * Layers::length), highest / dp, lowest / dp,
-        std::sqrt(air2 / double(air.particles().size())));
+        std::sqrt(air2 / double(air.fields().particles().size())));
     EXPECT_LT(std::sqrt(pressure2), 0.02 * scale);
     EXPECT_LT(kinetic, 1e-5 * scale * Layers::H * Layers::length);
     EXPECT_LT(highest, 0.5 * dp);

@@ -46,7 +46,7 @@ inline double turned_by(const Simulation& s) {
 }
 /// Of the active particles of a level [m2/s2].
 inline double mean_square_velocity(const Level& level) {
-    const Particles& p = level.particles();
+    const Particles& p = level.fields().particles();
     double sum = 0;
     int n = 0;
     for (std::size_t i = 0; i < p.size(); ++i)

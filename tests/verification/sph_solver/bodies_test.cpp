@@ -377,7 +377,7 @@ TEST(Bodies, FloatUnderAirAsArchimedesSays) {
         afloat.step();
         if (afloat.time() < 0.2) continue;
         mean += centre_of(afloat).z() - start;
-        pressed += afloat.gas()->walls().loads()[0].force.z();
+        pressed += afloat.gas()->system().walls.loads()[0].force.z();
         ++steps;
     }
     std::printf("box under air: %.2f spacings from Archimedes, the air presses with %.3f of its weight\n",

@@ -59,10 +59,11 @@ inline Packet cross(int edges, double length, double rows, bool into_fine) {
     const auto squares = [&] {
         Packet sum;
         for (const auto& level : run.levels()) {
-            const Particles& p = level->particles();
+            const Particles& p = level->fields().particles();
             for (std::size_t i = 0; i < p.size(); ++i) {
                 if (!is_active(p.kind[i])) continue;
-                (p.x[i] < -2 * lambda ? sum.back : sum.through) += level->mass() * std::pow(p.drho[i] / s.rho0, 2);
+                (p.x[i] < -2 * lambda ? sum.back : sum.through) +=
+                    level->system().mass * std::pow(p.drho[i] / s.rho0, 2);
             }
         }
         return sum;

@@ -155,12 +155,12 @@ inline Ways cross(Sizes sizes, const Packet& of, double sign) {
             const Wave wave{k, std::sqrt(g * k * std::tanh(k * H)), 0};
             std::complex<double> eta = 0, phi = 0;
             for (const auto& level : run.levels()) {
-                const Particles& p = level->particles();
+                const Particles& p = level->fields().particles();
                 for (std::size_t i = 0; i < p.size(); ++i) {
                     if (!is_active(p.kind[i]) || p.x[i] < from || p.x[i] > from + L) continue;
                     const double weight = std::pow(std::sin(pi * (p.x[i] - from) / L), 2);
                     const std::complex<double> part =
-                        weight * level->mass() / (s.rho0 + p.drho[i]) * std::polar(1.0, -k * p.x[i]);
+                        weight * level->system().mass / (s.rho0 + p.drho[i]) * std::polar(1.0, -k * p.x[i]);
                     eta += part;
                     phi += part * std::complex<double>(wave.S(p.z[i], H) * p.w[i], -wave.C(p.z[i], H) * p.u[i]) /
                            std::tanh(k * H);

@@ -78,7 +78,8 @@ TEST(Elastic, WaterOfTwoSizesBendsAPlateAsThatOfOneDoes) {
                 found.deflection, found.load);
     EXPECT_NEAR(found.load, 1, 0.01);
     EXPECT_NEAR(found.deflection, 1, 0.015);
-    EXPECT_LT(run.level(0).particles().size() + run.level(1).particles().size(), 1700u) << "or all are small";
+    EXPECT_LT(run.level(0).fields().particles().size() + run.level(1).fields().particles().size(), 1700u)
+        << "or all are small";
     EXPECT_LT(std::abs(run.refinements()[0].mass_drift()), 0.01);
 }
 

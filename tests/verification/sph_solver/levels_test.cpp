@@ -31,12 +31,12 @@ TEST(LevelEdge, AUniformStreamCrossesItUnchanged) {
     for (const auto& level : simulation.levels()) std::ranges::fill(level->fields_to_set().u, 1.0f);
     while (simulation.time() < 1) simulation.step();  // through the inner zone
     for (const auto& level : simulation.levels()) {
-        const Particles& p = level->particles();
+        const Particles& p = level->fields().particles();
         double du = 0, pressure = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
             du = std::max(du, std::hypot(double(p.u[i]) - 1, double(p.w[i])));
-            pressure = std::max(pressure, std::abs(level->pressure(i)) / (s.rho0 * 1));
+            pressure = std::max(pressure, std::abs(level->fields().pressure(i)) / (s.rho0 * 1));
         }
         EXPECT_LT(du, 1e-4);        // found 2e-6
         EXPECT_LT(pressure, 1e-4);  // of rho U^2; found 1e-5
@@ -45,7 +45,8 @@ TEST(LevelEdge, AUniformStreamCrossesItUnchanged) {
         EXPECT_GT(edge.ledger().splits, 3000);
         EXPECT_EQ(edge.ledger().orphans, 0);
         const Box& zone = edge.zone().boxes().front();
-        const double column = edge.coarse().setup().dp * zone.size().z();  // it has crossed the edge in one level first
+        const double column =
+            edge.coarse().system().setup.dp * zone.size().z();  // it has crossed the edge in one level first
         EXPECT_LE(std::abs(edge.surplus()), 1.001 * s.rho0 * column);
     }
 }
@@ -76,7 +77,7 @@ Crossing pulse(int levels, double width, bool into_fine) {
     while (c0 * simulation.time() < 1.6) simulation.step();
     Crossing r;
     for (const auto& level : simulation.levels()) {
-        const Particles& p = level->particles();
+        const Particles& p = level->fields().particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i])) continue;
             const double d = p.drho[i] / s.rho0, u = direction * p.u[i] / c0;
@@ -155,10 +156,10 @@ TEST(LevelEdge, AWaveCrossesItAsItCrossesWaterOfOneSize) {
     double sum = 0, sum_deep = 0;
     int n = 0, n_deep = 0;
     for (const auto& level : two.levels()) {
-        const Particles& p = level->particles();
+        const Particles& p = level->fields().particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!is_active(p.kind[i]) || std::abs(p.x[i] - 0.6) > 0.2) continue;
-            const auto expected = velocity_near(one.level(0).particles(), Vec3(p.x[i], 0, p.z[i]));
+            const auto expected = velocity_near(one.level(0).fields().particles(), Vec3(p.x[i], 0, p.z[i]));
             const double error = std::hypot(p.u[i] - expected[0], p.w[i] - expected[1]);
             if (p.z[i] > -0.09) sum += error * error, ++n;
             if (p.z[i] < -0.2 && p.z[i] > -0.5) sum_deep += error * error, ++n_deep;
@@ -191,7 +192,7 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
     while (simulation.time() < 5) {
         simulation.step();
         if (simulation.steps() % 20 != 0) continue;
-        for (const auto& level : simulation.levels()) fastest = std::max(fastest, level->extremes().speed);
+        for (const auto& level : simulation.levels()) fastest = std::max(fastest, level->system().extremes.speed);
         if (simulation.time() > 2) squares += mean_square_velocity(simulation.finest()), ++times;
     }
     const double wave_speed = std::sqrt(9.81), rms = std::sqrt(squares / times) / wave_speed;
@@ -203,7 +204,7 @@ TEST(LevelEdge, StillWaterAcrossTheSurfaceStaysSlow) {
         rms, fastest / wave_speed, 100 * drift);
     EXPECT_LT(rms, 0.015);
     EXPECT_LT(std::abs(drift), 0.04);
-    for (const auto& level : simulation.levels()) EXPECT_EQ(level->ledger().lost, 0);
+    for (const auto& level : simulation.levels()) EXPECT_EQ(level->system().ledger.lost, 0);
 }
 
 // Archimedes for a body that an edge cuts in two: each size bears the water that it has, and none is counted twice.
@@ -270,10 +271,10 @@ Vortex carried_vortex(double dp, std::vector<Zone> zones) {
     const auto now = [&] {
         Vortex v;
         for (const auto& level : simulation.levels()) {
-            const Particles& p = level->particles();
+            const Particles& p = level->fields().particles();
             for (std::size_t i = 0; i < p.size(); ++i) {
                 if (!is_active(p.kind[i])) continue;
-                const double e = level->mass() * (std::pow(p.u[i] - U, 2) + std::pow(double(p.w[i]), 2));
+                const double e = level->system().mass * (std::pow(p.u[i] - U, 2) + std::pow(double(p.w[i]), 2));
                 v.energy += e, v.x += e * p.x[i], v.z += e * p.z[i];
             }
         }

@@ -48,7 +48,7 @@ Stirred still_water() {
     int times = 0;
     while (time < 1.6) {
         simulation.step(), time = simulation.time();
-        for (const auto& level : simulation.levels()) r.fastest = std::max(r.fastest, level->extremes().speed);
+        for (const auto& level : simulation.levels()) r.fastest = std::max(r.fastest, level->system().extremes.speed);
         if (time > 0.8) squares += mean_square_velocity(simulation.finest()), ++times;
     }
     const double wave_speed = std::sqrt(9.81 * depth);
@@ -101,7 +101,7 @@ TEST(MovingZone, RoundACylinderLetsItEnterAsParticlesOfOneSizeDo) {
     for (const double time : {0.01, 0.05, 0.1}) {
         run_to(one, time), run_to(three, time);
         std::size_t particles = 0;
-        for (const auto& level : three.levels()) particles += level->particles().size();
+        for (const auto& level : three.levels()) particles += level->fields().particles().size();
         most = std::max(most, particles);
         // steps of the two do not end at the same time
         const auto way_of = [&](const Simulation& s) {
@@ -135,7 +135,7 @@ TEST(MovingZone, GivesTheSameBitsWithAnyNumberOfThreadsAndAfterARestart) {
     Simulation whole = filled(cylinder(true)), three = filled(cylinder(true, 3));
     const auto same = [](const Simulation& a, const Simulation& b) {
         for (std::size_t k = 0; k < a.levels().size(); ++k) {
-            const Particles &p = a.level(k).particles(), &q = b.level(k).particles();
+            const Particles &p = a.level(k).fields().particles(), &q = b.level(k).fields().particles();
             if (p.id != q.id || p.x != q.x || p.z != q.z || p.u != q.u || p.w != q.w || p.drho != q.drho ||
                 p.kind != q.kind)
                 return false;

@@ -123,9 +123,10 @@ TEST(StartAtRest, FloorPressureIsRightFromTheFirstStepAndDoesNotRing) {
             }
             double now = 0;
             const Level& level = simulation.level(0);
-            const Particles& p = level.particles();
+            const Particles& p = level.fields().particles();
             for (std::size_t i = 0; i < p.size(); ++i)
-                if (is_active(p.kind[i])) now += level.mass() / 2 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
+                if (is_active(p.kind[i]))
+                    now += level.system().mass / 2 * (double(p.u[i]) * p.u[i] + double(p.w[i]) * p.w[i]);
             kinetic = std::max(kinetic, now / (s.rho0 * g * c.level * c.volume));
         }
         std::printf("  %-26s %.3f; %.3f %.3f; %.3f %.3f; %.1e\n", c.name, first, least, most, later_least, later_most,

@@ -153,7 +153,7 @@ TEST(Ventilation, DeepUnderWaterSuctionStays) {
         double lowest = 0;
         while (simulation.time() < 0.1) simulation.step();
         for (std::size_t i = 0; i < simulation.particles().size(); ++i)
-            lowest = std::min(lowest, simulation.finest().pressure(i));
+            lowest = std::min(lowest, simulation.finest().fields().pressure(i));
         EXPECT_LT(lowest, -500) << "or there is no suction";
         return simulation.load().force;
     };

@@ -54,7 +54,7 @@ inline Swing swing(int periods, double vortices) {
     }
     const Refinement& edge = simulation.refinements()[0];
     const auto under = [&] {
-        return double(std::ranges::count_if(simulation.level(0).particles().kind, stands_for_finer));
+        return double(std::ranges::count_if(simulation.level(0).fields().particles().kind, stands_for_finer));
     };
     const double under_at_start = under();
     Swing r;
@@ -75,7 +75,7 @@ inline Swing swing(int periods, double vortices) {
             sum = 0, counted = 0, ++period;
         }
         r.most_orphans = std::max(r.most_orphans, edge.ledger().orphans);
-        const std::vector<float>& u = simulation.level(0).particles().u;
+        const std::vector<float>& u = simulation.level(0).fields().particles().u;
         const double mean = std::accumulate(u.begin(), u.end(), 0.0) / double(u.size());
         r.shortfall = std::max(r.shortfall, std::abs(mean - impulse) / U);
     }
