@@ -51,7 +51,7 @@ speed = "8 m/s"
 near_hull = "0.0625 m"     # particles, and cells at the wetted hull; refine this first
 
 [run]
-duration = "1.2 s"         # without it a run ends when its loads have settled
+duration = "2 s"           # without it a run ends when its loads have settled
 methods  = ["sph", "fvm"]  # particles, interFoam
 
 # To compare with a measurement, name it, with its source; the report draws it beside both methods:
