@@ -19,6 +19,7 @@
 #include "scene/box/tank_walls.h"
 #include "scene/defaults.h"
 #include "scene/mesh/mesh_cells.h"
+#include "scene/mesh/step_limits.h"
 #include "scene/water/tailwater.h"
 #include "scene/water/water_blocks.h"
 
@@ -198,8 +199,7 @@ void plan_times(CasePlan& plan) {
                                             (scene.water.density * plan.finest_cell)));
     plan.first_step = 0.05 * plan.finest_cell / std::max({scene.motion.speed, driven, 1e-6});
     plan.first_step = std::min(plan.first_step, 0.1 * plan.write_interval);
-    // Gravity acts explicitly on the surface: still water would otherwise be taken in steps that shake it.
-    plan.largest_step = g > 0 ? 0.5 * std::sqrt(plan.finest_cell / g) : plan.write_interval;
+    plan.largest_step = g > 0 ? longest_step_of_still_water(plan.finest_cell, g) : plan.write_interval;
     const double length = scene.hull ? scene.hull->length : height;
     const double explained = scene.motion.speed + std::sqrt(g * length) + driven;
     plan.water_speed_limit = plan.air_speed_limit = std::numeric_limits<double>::infinity();

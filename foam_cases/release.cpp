@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/gap.h"
+#include "scene/mesh/step_limits.h"
 
 // Measured: docs/decisions/032-rigid-bodies.md.
 
@@ -42,10 +43,9 @@ void plan_release(CasePlan& plan) {
         const double speed = motion.velocity.norm() + motion.spin.norm() * b.body.surface.bounds().size().norm();
         if (motion.law || speed * crossing > plan.finest_cell) return;
     }
-    constexpr double steps = 50;
-    for (double step = crossing / steps, begin = 0; step < plan.largest_step && begin < plan.scene->run.duration;
-         begin = plan.step_caps.back().until, step *= 2)
-        plan.step_caps.push_back({2 * steps * step, step});
+    for (double step = release_step(plan.finest_cell, g), begin = 0;
+         step < plan.largest_step && begin < plan.scene->run.duration; begin = plan.step_caps.back().until, step *= 2)
+        plan.step_caps.push_back({2 * steps_of_release * step, step});
     if (!plan.step_caps.empty()) plan.first_step = plan.step_caps.front().step;
 }
 

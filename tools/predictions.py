@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Compares the predicted processor time of runs with what they spent, and makes a table of it.
+"""Compares the predicted processor time of runs, or the number of their steps, with what they took, and makes a table of it.
 
-    tools/predictions.py FOLDER ... [--into PAGE [--mark predictions]] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies] [--all]
+    tools/predictions.py FOLDER ... [--steps] [--into PAGE [--mark predictions]] [--twinwake build/twinwake] [--least SECONDS] [--surfaces studies] [--all]
 
 Every finished record below the folders that was made by one thread counts, if it spent `--least` seconds (10). "said" is
 what the program predicted when the run was made, with the pace that it had learned by then; "now" is what --twinwake
@@ -9,7 +9,8 @@ predicts of the same scene text, size and duration by its table alone (its cache
 nothing): on the machine of the table that should be 1. Records whose scene it cannot read again, or that differ from the
 scene text in more than size and duration (another box, an uncertain number at its end), have no such value. Surfaces that
 scenes name are looked for in `--surfaces`. The table has the scenes of which the median is not within 1.3, or with --all
-every scene; the sentences below it count all. With --into the table replaces what is in PAGE between the lines `<!-- MARK
+every scene; the sentences below it count all. With --steps numbers of steps stand in place of seconds, which other
+programs on the machine do not change. With --into the table replaces what is in PAGE between the lines `<!-- MARK
 -->` and `<!-- /MARK -->`. Needs h5py. Exit status: 0; 2: wrong usage, or no record.
 """
 import argparse
@@ -31,8 +32,8 @@ from run_pages import is_member_of_another_kind, methods, put_between  # noqa: E
 within = 1.3
 
 
-def predicted_now(program, record, folder):
-    """Processor time [s] by the table; None where the scene cannot be read again."""
+def predicted_now(program, record, folder, number):
+    """A number of `check --json`, by the table; None where the scene cannot be read again."""
     scene = folder / "scene.toml"
     scene.write_text(record.scene_text, encoding="utf-8")
     words = [str(program), "check", str(scene), "--threads", "1", "--quiet", "--json", "-",
@@ -40,7 +41,7 @@ def predicted_now(program, record, folder):
     ended = subprocess.run(words, capture_output=True, text=True, cwd=folder,
                            env={**os.environ, "XDG_CACHE_HOME": str(folder / "cache")})
     try:
-        return json.loads(ended.stdout)["predicted"][record.method]["core_seconds"]
+        return json.loads(ended.stdout)["predicted"][record.method][number]
     except (json.JSONDecodeError, KeyError):
         return None
 
@@ -84,7 +85,9 @@ def main():
     words.add_argument("--least", type=float, default=10)
     words.add_argument("--surfaces", type=pathlib.Path, default=checkout / "studies")
     words.add_argument("--all", action="store_true")
+    words.add_argument("--steps", action="store_true")
     given = words.parse_args()
+    number = "steps" if given.steps else "core_seconds"
 
     groups, machines = collections.defaultdict(list), set()
     with tempfile.TemporaryDirectory() as scratch:
@@ -93,23 +96,24 @@ def main():
             (folder / surface.name).symlink_to(surface)
         for path in sorted(p for f in given.folders for p in f.rglob("record.h5")):
             with twinwake.Record(path, verify=False) as record:
-                said = record.numbers.get("predicted_core_seconds", record.numbers.get("predicted_seconds"))
+                said = record.numbers.get("predicted_" + number, record.numbers.get("predicted_seconds"))
                 if record.state != "finished" or record.attributes.get("threads") != "1" or not said:
                     continue
                 if record.cost.cpu < given.least:
                     continue
-                now = None if is_member_of_another_kind(path) else predicted_now(given.twinwake.resolve(), record, folder)
+                now = (None if is_member_of_another_kind(path)
+                       else predicted_now(given.twinwake.resolve(), record, folder, number))
                 case = pathlib.Path(record.attributes.get("scene_file", "?")).stem
-                groups[case, record.method].append({"spent": record.cost.cpu, "said": said, "now": now})
+                groups[case, record.method].append({"spent": record.cost.steps if given.steps else record.cost.cpu, "said": said, "now": now})
                 machines.add(record.attributes.get("machine", "unknown"))
     if not groups:
         sys.exit("no finished record of one thread below " + ", ".join(map(str, given.folders)))
 
     shown = {key: runs for key, runs in groups.items() if given.all or stands_out(runs)}
-    lines = [f"Made by `tools/predictions.py` from runs on {', '.join(sorted(machines))}, one thread each, of at least "
+    lines = [f"Made by `tools/predictions.py{' --steps' if given.steps else ''}` from runs on {', '.join(sorted(machines))}, one thread each, of at least "
              f"{given.least:g} s of processor time;\n{len(shown)} of {len(groups)} scenes"
              + ("" if given.all else f", those whose median is not within {within}") + ":", "",
-             "| scene | method | runs | spent [s] | said / spent: median (from, to) | now / spent |",
+             f"| scene | method | runs | {'steps' if given.steps else 'spent [s]'} | said / spent: median (from, to) | now / spent |",
              "|---|---|---|---|---|---|"]
     lines += [row(case, methods.get(method, method), runs) for (case, method), runs in sorted(shown.items())]
     lines.append("")

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <thread>
 
 #include "base/errors.h"
-#include "scene/box/tank_wave.h"
+#include "scene/cost/steps_of_cells.h"
 #include "scene/defaults.h"
 #include "scene/effects/registry.h"
 #include "scene/elastic/tyre_steps.h"
@@ -74,15 +73,16 @@ double cores(const Scene& scene) {
 
 /// By which time steps are predicted [m/s].
 double speed_of_water(const Scene& scene) {
-    if (scene.wave)  // of the water in its crest, over the stream
-        return scene.motion.speed + std::numbers::pi * scene.wave->height / scene.wave->period_in_water() /
-                                        std::tanh(scene.wave->k() * scene.wave->depth);
-    if (scene.sea) {
-        const WaveScales wave = wave_scales(scene);
-        const double kd = 2 * std::numbers::pi / wave.length * scene.sea->depth();
-        return 2 * std::numbers::pi * wave.crest / wave.period / std::tanh(kd);
-    }
+    if (scene.has_wave()) return scene.motion.speed + speed_of_crests(scene);  // over the stream
     return scene.motion.kind == Motion::Kind::stream ? scene.motion.speed : 0.1 * default_sound_speed(scene);
+}
+
+double steps_of_cells_in_stream(const Scene& scene) {
+    // What falls over weirs and runs under gates is faster than the stream that comes.
+    const double speed = std::max(speed_of_water(scene), mean_of_fastest * explained_speed(scene));
+    return scene.run.duration * (hull_held_in_stream(scene) ? held_steps_per_cell_crossing : steps_per_cell_crossing) *
+           speed / finest_cell(scene) * 4 / std::min(scene.fvm.max_courant, scene.fvm.max_alpha_courant) *
+           (edge_refinement(scene).edges.empty() ? 1 : steps_of_shedding_edges);
 }
 
 }  // namespace
@@ -129,19 +129,14 @@ MethodCost predict_particles(const Scene& scene, const Prediction& p, double pac
 
 MethodCost predict_cells(const Scene& scene, const Prediction& p, double pace) {
     MethodCost cost;
-    const bool held = hull_held_in_stream(scene), flat = scene.domain.dimensions == 2;
+    const bool held = hull_held_in_stream(scene);
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    // What falls over weirs and runs under gates is faster than the stream that comes.
-    const double speed =
-        stream ? std::max(speed_of_water(scene), mean_of_fastest * explained_speed(scene)) : speed_of_water(scene);
-    const double cell = finest_spacing(scene) / (stream && scene.hull && flat ? 1 << section_levels : 1);
-    const double courant_rate = (held ? held_steps_per_cell_crossing : steps_per_cell_crossing) * speed / cell * 4 /
-                                std::min(scene.fvm.max_courant, scene.fvm.max_alpha_courant) *
-                                (edge_refinement(scene).edges.empty() ? 1 : steps_of_shedding_edges);
     // In a tank, and of a held hull, frames are taken at the steps there are.
-    const bool meets_frames = stream && !held;
-    const double frame_rate = meets_frames ? steps_per_frame / scene.sampling.interval : 0;
-    cost.steps = scene.run.duration * std::max(courant_rate, frame_rate);
+    if (stream)
+        cost.steps = std::max(steps_of_cells_in_stream(scene),
+                              held ? 0 : steps_per_frame * scene.run.duration / scene.sampling.interval);
+    else
+        cost.steps = steps_of_cells_in_tank(scene, 4 * steps_per_cell_crossing);
     const double n = cores(scene), frames = std::min(p.frames, cost.steps);
     const double alone = start_seconds + p.cells * (mesh_seconds_per_cell + frames * seconds_per_cell_of_frame);
     const double shared =

@@ -6,15 +6,21 @@
 #include <iterator>
 #include <set>
 
+#include "base/errors.h"
+#include "meshes/mass_properties.h"
 #include "scene/mesh/edge_refinement.h"
 #include "scene/mesh/mesh_motion.h"
+#include "scene/refined_places.h"
 
 namespace tw {
 namespace {
 
 constexpr double transition_cells = 1.05;  // layers between levels and hull edges, less the hull's inside
-// One halving along the chine and transom of half a prism, meshes of 6 to 33 thousand cells: 68, 89 and 65 further cells
-// for each cell's length of edge.
+// Cells halved along the outline of a section, for each length near_hull of it: 13 to 17 of dropped wedges, an entering
+// cylinder and a floating box.
+constexpr double cells_per_cell_of_outline = 15;
+// One halving along the chine and transom of half a prism, meshes of 6 to 33 thousand cells: 68, 89 and 65 further
+// cells for each cell's length of edge.
 constexpr double cells_per_shedding_cell = 75;
 
 double cell_at(const Scene& scene, int level) { return std::ldexp(background_cell(scene), -level); }
@@ -90,6 +96,11 @@ int finest_halvings(const Scene& scene) {
     return ratio > 1 ? static_cast<int>(std::lround(std::log2(ratio))) : 0;
 }
 
+double finest_cell(const Scene& scene) {
+    const bool section = scene.domain.dimensions == 2 && (scene.hull || !scene.bodies.empty());
+    return std::ldexp(finest_spacing(scene), section ? -section_levels : 0);
+}
+
 std::vector<ForcingZone> grown_zones(const Scene& scene) {
     if (scene.motion.kind != Motion::Kind::stream) return {};
     std::vector<ForcingZone> zones = forcing_zones(scene).zones;
@@ -116,11 +127,50 @@ std::vector<RefinementBox> boxes_round_bodies(const Scene& scene) {
     return boxes;
 }
 
+/// What is halved along the outlines of hull and bodies in two dimensions, less what is in them.
+double cells_along_sections(const Scene& scene) {
+    if (scene.domain.dimensions != 2) return 0;
+    const double dp = scene.resolution.near_hull;
+    double cells = 0;
+    const auto add = [&](const Surface& surface) {
+        double sides = 0;
+        for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+            const Vec3 part =
+                (surface.corner(t, 1) - surface.corner(t, 0)).cross(surface.corner(t, 2) - surface.corner(t, 0)) / 2;
+            if (std::abs(part.y()) < 0.5 * part.norm()) sides += part.norm();
+        }
+        const double span = surface.bounds().size().y();
+        if (!(span > 0)) return;
+        const double area = mass_properties(surface).volume / span;
+        cells += std::max(0.0, cells_per_cell_of_outline * sides / span / dp - area / (dp * dp));
+    };
+    if (scene.hull) add(scene.hull->surface);
+    for (const MovingBody& body : scene.bodies) add(body.surface);
+    return cells;
+}
+
+/// Of a mesh that comes down with its body: air above the tank's top for that way, in cells that grow to four times
+/// their size (foam_cases/plan_case.cpp).
+double cells_for_the_way_down(const Scene& scene) {
+    if (scene.bodies.size() != 1) return 0;
+    MeshMotion motion;
+    try {
+        motion = mesh_motion(scene);
+    } catch (const InputError&) { return 0; }  // the mesh method refuses the scene
+    const double cell = background_cell(scene),
+                 below = scene.bodies.front().surface.bounds().min.z() - scene.domain.box.min.z(),
+                 more = std::min(motion.down, below);
+    if (!motion.whole_mesh() || more < cell) return 0;
+    const double growth = std::clamp(more / cell, 1.0, 4.0), mean = growth > 1.01 ? (growth - 1) / std::log(growth) : 1;
+    const Vec3 size = scene.domain.box.size();
+    return more / (mean * cell) * size.x() / cell * (scene.domain.dimensions == 2 ? 1 : size.y() / cell);
+}
+
 double predicted_cells(const Scene& scene) {
     std::vector<RefinementBox> boxes = scene.refinement;
     for (const RefinementBox& near : boxes_round_bodies(scene)) add_graded(near, scene, boxes);
     const EdgeRefinement shedding = edge_refinement(scene);
-    return cells_in_boxes(scene, boxes) +
+    return cells_in_boxes(scene, boxes) + cells_along_sections(scene) + cells_for_the_way_down(scene) +
            shedding.halvings * cells_per_shedding_cell * length_of(shedding.edges) / scene.resolution.near_hull;
 }
 

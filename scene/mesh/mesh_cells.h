@@ -16,6 +16,9 @@ int finest_halvings(const Scene& scene);
 /// leave the trailing edge of a plate: it turns round it into the cell behind (docs/decisions/024-hull-force-cured.md).
 inline constexpr int section_levels = 2;
 
+/// Edge of the finest cells [m]: near_hull, and along hull and bodies of two dimensions so much less.
+double finest_cell(const Scene& scene);
+
 /// Along a forcing zone each cell is so much longer than the one before it, so that the last, where waves have gone, is
 /// as long as a fifth of the zone and one more of the first.
 inline constexpr double growth_in_zones = 1.2;

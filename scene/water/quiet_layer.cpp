@@ -100,21 +100,36 @@ QuietLayer quiet_layer(const Scene& scene) {
     return {surface, surface - t / 2, surface - t};
 }
 
-SlowBody slow_body(const Scene& scene, const MovingBody& body) {
+namespace {
+
+/// Diameter of the circle or sphere of a volume [m].
+double size_of(double volume, bool flat) {
+    return flat ? 2 * std::sqrt(volume / std::numbers::pi) : std::cbrt(6 * volume / std::numbers::pi);
+}
+
+}  // namespace
+
+BodyDrag drag_of(const Scene& scene, const MovingBody& body) {
     using std::numbers::pi;
+    const bool flat = scene.domain.dimensions == 2;
+    const double rho = scene.water.density, mu = rho * scene.water.kinematic_viscosity,
+                 D = size_of(mass_properties(body.surface).volume, flat);
+    return flat ? BodyDrag{4 * pi * mu, rho * D / 2} : BodyDrag{3 * pi * mu * D, 0.4 * pi / 8 * rho * D * D};
+}
+
+SlowBody slow_body(const Scene& scene, const MovingBody& body) {
     const bool flat = scene.domain.dimensions == 2;
     const double rho = scene.water.density, mu = rho * scene.water.kinematic_viscosity;
     const MassProperties solid = mass_properties(body.surface);
     const double volume = solid.volume;  // two dimensions: of a metre of span
     SlowBody s;
-    s.size = flat ? 2 * std::sqrt(volume / pi) : std::cbrt(6 * volume / pi);
+    s.size = size_of(volume, flat);
     if (body.motion.law) {
         const double arm = (body.surface.bounds().size().norm()) / 2;
         s.speed = body.motion.law->fastest() * (body.motion.law->turns ? arm : 1);
     } else {
         const double pull = std::abs(body.motion.mass.mass - rho * volume) * scene.water.gravity;
-        const double viscous = flat ? 4 * pi * mu : 3 * pi * mu * s.size;
-        const double inertial = flat ? rho * s.size / 2 : 0.4 * pi / 8 * rho * s.size * s.size;
+        const auto [viscous, inertial] = drag_of(scene, body);
         // inertial U^2 + viscous U = pull, in the form that keeps its digits where one of them is small
         s.speed = pull > 0 ? 2 * pull / (viscous + std::sqrt(viscous * viscous + 4 * inertial * pull)) : 0;
         s.speed = std::max(s.speed, body.motion.velocity.norm());

@@ -34,6 +34,13 @@ struct SlowBody {
 /// to a factor of two: the first term is Oseen's and Faxen's within a logarithm.
 SlowBody slow_body(const Scene& scene, const MovingBody& body);
 
+/// Drag of a body of that size, as above: viscous U + inertial U^2, of two dimensions per metre.
+struct BodyDrag {
+    double viscous = 0;   ///< [N s/m]
+    double inertial = 0;  ///< [N s2/m2]
+};
+BodyDrag drag_of(const Scene& scene, const MovingBody& body);
+
 /// The Reynolds numbers at which a body's drag was found right (docs/results/viscous_flow.md).
 inline constexpr double slow_up_to = 200;
 /// The slowest body of a scene, if there is one whose flow is viscous and whose water is deep: Re below `slow_up_to` and

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <tuple>
 
 #include "meshes/generate.h"
 #include "scene/cost/node.h"
@@ -65,15 +66,15 @@ TEST(Cost, ProcessorTimeIsThatOfAllCores) {
     EXPECT_GT(four.of("fvm").core_seconds, one.of("fvm").core_seconds) << "ranks that wait for others use their cores";
 }
 
-// A step is one of the largest particles, as the record and the progress count them: else a run of two sizes would teach
-// that the machine is half as fast as one of one size.
+// A step is one of the largest particles, as the record and the progress count them: else a run of two sizes would
+// teach that the machine is half as fast as one of one size.
 TEST(Cost, StepsOfSeveralSizesAreThoseOfTheLargest) {
     const Scene one = scene_of(planing + one_size), two = scene_of(planing + "[sph]\nlevels = 2\n");
     EXPECT_DOUBLE_EQ(predict(two).of("sph").steps, predict(one).of("sph").steps / 2);
 }
 
-// Measured with the hull of demo_coarse at twice its sizes, 326 steps in both: 34 s of processor time for the solver with
-// interIsoFoam and 8 s with interFoam; on the flat plate in two dimensions a step took the same.
+// Measured with the hull of demo_coarse at twice its sizes, 326 steps in both: 34 s of processor time for the solver
+// with interIsoFoam and 8 s with interFoam; on the flat plate in two dimensions a step took the same.
 TEST(Cost, AGeometricSurfaceMakesAStepFourTimesAsDearInThreeDimensions) {
     Scene limited = scene_of(tank);  // interFoam has settings of its own for a hull that is held
     limited.run.duration = 1e5;      // beside which the start is nothing
@@ -137,14 +138,49 @@ TEST(Cost, StepsOfAHeldHullAreThoseOfItsSnappedCellsWhateverTheFrames) {
     }
 }
 
+// Made by interFoam v1912 in tanks: still water, a step of water, dam breaks, a rod that is let go in oil, and bodies
+// that fall on water. By the sound speed alone, as before, the factors were from 0.11 to 7.6.
+TEST(Cost, StepsInTanksAreThoseOfWhatLimitsThem) {
+    struct Made {
+        const char* scene;
+        double scale, steps;  // [-]
+    };
+    for (const Made& run :
+         {Made{"validation/scenes/still_box", 1, 357}, Made{"validation/scenes/still_box", 2, 257},
+          Made{"validation/scenes/standing_wave", 1, 315}, Made{"validation/scenes/standing_wave", 2, 226},
+          Made{"validation/scenes/dam_break_front", 1, 84}, Made{"validation/scenes/dam_break_front", 2, 51},
+          Made{"validation/scenes/sinking_rod", 2, 177}, Made{"studies/dam_break_2d", 2, 253},
+          Made{"studies/spheric02", 2.8284271, 244}, Made{"studies/spheric02", 1.4142136, 543},
+          Made{"studies/wedge_drop", 4, 169}, Made{"studies/wedge_drop", 2, 357},
+          Made{"studies/cylinder_2d_entry", 2.83, 454}}) {
+        SceneOverrides o;
+        o.scale_resolution = run.scale;
+        const Scene s = read_scene(std::filesystem::path(TWINWAKE_SOURCE) / (std::string(run.scene) + ".toml"), o);
+        EXPECT_NEAR(std::log(predict(s).of("fvm").steps / run.steps), 0, std::log(1.3)) << run.scene << run.scale;
+    }
+}
+
+// Made by snappyHexMesh: cells halved along outlines, and above what falls.
+TEST(Cost, CellsAlongSectionsAndAboveABodyThatFallsAreCounted) {
+    for (const auto& [study, scale, made] : {std::tuple{"studies/wedge_drop", 4.0, 5856.0},
+                                             {"studies/wedge_drop", 2.0, 21686.0},
+                                             {"studies/cylinder_2d_entry", 2.83, 13087.0},
+                                             {"validation/scenes/still_box", 1.0, 2472.0}}) {
+        SceneOverrides o;
+        o.scale_resolution = scale;
+        const Scene s = read_scene(std::filesystem::path(TWINWAKE_SOURCE) / (std::string(study) + ".toml"), o);
+        EXPECT_NEAR(predict(s).cells / made, 1, 0.15) << study << scale;
+    }
+}
+
 TEST(Cost, TanksWithoutRefinementHaveCellsOfOneSizeWhateverTheSpacing) {
     const std::string bar = "[[obstacle]]\nname = \"bar\"\nmin = [0.6, 0, 0]\nmax = [0.7, 1, 0.1]\n";
     const Scene s = scene_of(with(tank, "near_hull = 0.01", "near_hull = 0.02\nspacing = 0.08") + bar);
     EXPECT_NEAR(predict(s).cells, 125e3, 1);
 }
 
-// 230 bytes were measured of its arrays in a run at h/dp = 1.5 (the record's bytes_per_particle), and 47 of the copies that
-// are written while it goes on.
+// 230 bytes were measured of its arrays in a run at h/dp = 1.5 (the record's bytes_per_particle), and 47 of the copies
+// that are written while it goes on.
 TEST(Cost, AParticleTakesItsArraysAndItsPartOfTheCopies) {
     const Prediction p = predict(scene_of(tank));
     const double each = (p.of("sph").bytes - p.raster_bytes) / p.particles;
