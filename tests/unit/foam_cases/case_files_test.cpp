@@ -306,6 +306,25 @@ TEST(CaseFiles, StepsOfABodyReleasedAtRestAreAFiftiethOfTheTimeSince) {
     EXPECT_FALSE(released_in_air(plan_case(scene, v1912))) << "it is under water";
 }
 
+// In an empty tank a second and third corrector take 8 % of a wave's height on the way to a body (decision 032).
+TEST(CaseFiles, ABodyInWavesAnswersOnceAStepBecauseMoreCorrectorsFlattenWaves) {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(-2, 0, -0.5), Vec3(2, 0.02, 0.5)};
+    scene.water_blocks.clear();
+    MovingBody& b = scene.bodies.emplace_back();
+    b.name = "box";
+    b.surface = make_hull("box", {{"length", 0.2}, {"beam", 1}, {"height", 0.1}});
+    const double down = 0.05 + b.surface.bounds().min.z();
+    for (Vec3& p : b.surface.points) p.z() -= down;
+    b.motion.mass = {10, Vec3::Zero(), Eigen::Matrix3d::Identity()};
+    b.motion.free = {{false, false, true}, {false, false, false}};
+    EXPECT_SAYS(fv_solution(plan_case(scene, v1912)), "nOuterCorrectors 3; nCorrectors 1;") << "still water";
+    scene.wave.emplace();
+    EXPECT_SAYS(fv_solution(plan_case(scene, v1912)), "nOuterCorrectors 1; nCorrectors 3;");
+    b.motion.mass.mass = 5;
+    EXPECT_SAYS(fv_solution(plan_case(scene, v1912)), "nOuterCorrectors 3; nCorrectors 1;") << "too light";
+}
+
 // Cells of fixed places are sought again whenever the mesh has moved, for twice the time of the rest of a step.
 TEST(CaseFiles, GaugesBeyondTheMorphedCellsKeepTheCellsThatTheyHave) {
     Scene scene = dam_break_scene();
