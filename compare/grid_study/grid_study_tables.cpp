@@ -214,8 +214,7 @@ ReportTable shares_of_intervals(const GridStudy& grid_study) {
     if (any_box)
         table.notes.push_back(
             "Box: the change in a box 1.5 times as wide, deep and long at the coarsest size, extrapolated to open "
-            "water "
-            "(with the inverse of the water's cross section); measured by one method and taken for both.");
+            "water (with the inverse of the water's cross section); measured by one method and taken for both.");
     return table;
 }
 
