@@ -53,7 +53,7 @@ public:
         const Source source{&grid, place_.data(), &start, 0}, walls{&grid, wall_place_.data(), &wall_start, 0};
         const auto within = [&](double slack) { return Reaches{support + slack, support, support - slack}; };
         make_clusters(source, passes.lanes, clusters_);
-        lists_.build(passes, fixed_point, source, clusters_, {source}, within(ListLife::slack_over_dp * dp));
+        lists_.build(passes, fixed_point, source, clusters_, {source}, within(ListLife::least_slack_over_dp * dp));
         wall_lists_.build(passes, fixed_point, source, clusters_, {walls}, within(ListLife::wall_slack_over_dp * dp),
                           &Cluster::wall_list);
         const auto end = static_cast<std::int32_t>(wall_place_.size());

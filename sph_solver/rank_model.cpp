@@ -25,7 +25,7 @@ PencilsOfSize pencils_of(const Level& level, int finer, int steps) {
     const FixedPoint& fixed_point = level.system().fixed_point;
     s.low = fixed_point.wide(level.system().around.domain.min),
     s.high = fixed_point.wide(level.system().around.domain.max);
-    const double reach = level.system().kernel.support() + ListLife::slack_over_dp * level.system().setup.dp;
+    const double reach = level.system().kernel.support() + ListLife::least_slack_over_dp * level.system().setup.dp;
     s.reach = static_cast<std::int64_t>(reach * fixed_point.per_metre / finer) + 1;
     std::vector<std::int64_t> work(static_cast<std::size_t>(level.system().grid.count())), particles(work.size());
     const Particles& p = level.fields().particles();

@@ -32,10 +32,9 @@ double Level::travel_ahead() const {
 bool Level::lists_outlived() const {
     const double relative =
         system_.near.life.travel_in_stream + schedule_.looks_ahead() * system_.dt * system_.near.life.relative_speed;
-    const double slack = ListLife::slack_over_dp * system_.setup.dp,
-                 wall_slack = ListLife::wall_slack_over_dp * system_.setup.dp;
+    const double wall_slack = ListLife::wall_slack_over_dp * system_.setup.dp;
     // two particles may both have moved towards each other
-    return 2 * relative > slack || travel_ahead() + wall_travel_ahead() > wall_slack;
+    return 2 * relative > system_.near.life.slack || travel_ahead() + wall_travel_ahead() > wall_slack;
 }
 
 double Level::wall_travel_ahead() const {
@@ -44,15 +43,16 @@ double Level::wall_travel_ahead() const {
 
 void Level::refresh(double drift) {
     ListLife& life = system_.near.life;
+    system_.walls.follow(system_.fixed_point);
     if (life.over) {
         const Stopwatch watch(timers_.lists);
         ++timers_.rebuilds;
+        life.slack = system_.slack_of_lists();
         steps_->make_lists(drift);
         life.travel = life.travel_in_stream = life.wall_travel = life.age = 0;
         life.over = false;
         return;
     }
-    system_.walls.follow(system_.fixed_point);
     {
         const Stopwatch watch(timers_.update);
         steps_->pack_state();
@@ -172,14 +172,14 @@ void Level::mark_restart_point() {
 }
 
 void Level::start_anew() {
+    const Particles& p = system_.particles;
     const double stream = system_.stream_velocity(system_.time);
-    system_.near.life.relative_speed = 0;
-    for (std::size_t i = 0; i < system_.particles.size(); ++i)
-        system_.near.life.relative_speed = std::max(
-            system_.near.life.relative_speed,
-            Vec3(system_.particles.u[i] - stream, double(system_.particles.v[i]), double(system_.particles.w[i]))
-                .norm());
-    system_.near.life.relative_speed = system_.ranks().largest(system_.near.life.relative_speed);
+    double relative2 = 0;  // to the last bit as Move notes it: the slack of the lists goes with it
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double u = p.u[i] - stream, v = p.v[i], w = p.w[i];
+        relative2 = std::max(relative2, u * u + v * v + w * w);
+    }
+    system_.near.life.relative_speed = system_.ranks().largest(std::sqrt(relative2));
     make_lists_due();
 }
 

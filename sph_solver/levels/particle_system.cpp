@@ -230,12 +230,16 @@ StepView ParticleSystem::step_view(double t, const Halo& halo) {
     return view;
 }
 
+double ParticleSystem::slack_of_lists() const {
+    return ListLife::slack_for(setup.dp, 2 * dt * near.life.relative_speed, dt * (extremes.speed + walls.fastest()));
+}
+
 ParticleSystem::ReachesOfLists ParticleSystem::reaches_of_lists(double drift) const {
     const double support = kernel.support();
     const auto reaches = [&](double now, double slack) {
         return Reaches{std::max(support + slack, now), now, support - slack};
     };
-    return {reaches(reach_among(drift), ListLife::slack_over_dp * setup.dp),
+    return {reaches(reach_among(drift), near.life.slack),
             reaches(reach_to_walls(drift), ListLife::wall_slack_over_dp * setup.dp)};
 }
 

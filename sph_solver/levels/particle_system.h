@@ -107,6 +107,8 @@ struct ParticleSystem {
     /// Distance from which a neighbour may come within the support during `drift` [s].
     double reach_among(double drift) const { return kernel.support() + 2 * drift * near.life.relative_speed; }
     double reach_to_walls(double drift) const { return kernel.support() + drift * (extremes.speed + walls.fastest()); }
+    /// That of particle lists that are made now, by how the last step has left particles and walls.
+    double slack_of_lists() const;
     /// How far lists that are made now look among particles, and between those and walls.
     struct ReachesOfLists {
         Reaches among, to_walls;
