@@ -47,7 +47,7 @@ ControlVolume control_volume(const Scene& scene, const SimulationSetup& s) {
     const double clear = 2 * dp;  // of the domain's sides
     // How far the zone of a free hull may go before the box is outside: what the hull has from its zone's edge to the
     // six spacings at which the run ends (bodies/collisions.cpp), less half of one. At most three: chosen, not derived.
-    const double way = hull.free ? std::clamp(scene.sph.zone - (6 + 0.5), 0.0, 3.0) * dp : 0;
+    const double way = hull.free ? std::clamp(zone_width(scene) / dp - (6 + 0.5), 0.0, 3.0) * dp : 0;
     box.min = box.min.cwiseMax(s.domain.min + Vec3::Constant(clear));
     box.max = box.max.cwiseMin(s.domain.max - Vec3::Constant(clear));
     if (zone) {

@@ -26,6 +26,7 @@ h3{font-size:15px;margin:22px 0 6px}p{margin:6px 0}.sub{color:var(--soft);margin
 .line summary{position:relative;padding-left:28px;list-style:none}.line summary::-webkit-details-marker{display:none}.line:not([open]) summary{display:-webkit-box;-webkit-box-orient:vertical;-webkit-line-clamp:3;overflow:hidden}
 .icon{position:absolute;left:6px;top:3px;width:15px;height:15px;border-radius:8px;background:var(--open);color:var(--bg);font:700 12px/15px sans-serif;text-align:center}.bad .icon{background:var(--bad);border-radius:2px}
 .said{padding:0 6px;border-radius:8px}.why{margin:0 0 2px}.beside{display:flex;flex-direction:column}.note sub{line-height:0}
+@media(min-width:1000px){.line:not([open]) summary{-webkit-line-clamp:5}}
 @media(max-width:700px){.seen{order:1}.todo{order:2}.line:not([open]) summary{-webkit-line-clamp:2}svg.strip text{font-size:15px}}
 .next{margin:0;padding-left:18px;font-size:14px}.next li{margin:2px 0}.next code{color:var(--soft);overflow-wrap:anywhere}
 .fold>summary{color:var(--text);font-weight:600;font-size:15px;padding:5px 0;border-bottom:1px solid var(--line)}.fold[open]{margin-bottom:22px}

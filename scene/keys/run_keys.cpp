@@ -320,7 +320,7 @@ Rows sph_keys() {
          .meaning = "Sizes of particles: near_hull round hull, obstacles and moving bodies, twice that farther away, and so on.",
          .later = true},
         {.name = "zone", .range = {8, 200}, .hashed = Hashed::run, .slot = slot(&Scene::sph, &SphOptions::zone),
-         .meaning = "With several levels: how far the finest particles reach from the bounding boxes of hull, obstacles and bodies, in their spacings.",
+         .meaning = "With several levels: how far the finest particles reach from the hull, and from the bounding boxes of obstacles and bodies, in their spacings; at a --scale from 0.71 to 2 as many metres as at 1.",
          .later = true},
         {.name = "zones", .kind = Kind::choice, .choices = {"coarse", "fine"}, .hashed = Hashed::run,
          .slot = slot(&Scene::sph, &SphOptions::zones),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <span>
 
 #include <fmt/format.h>
@@ -18,9 +19,16 @@ namespace tw {
 
 namespace {
 
-constexpr double between = 10, from_openings = 8;  ///< spacings
+constexpr double between = 10, from_openings = 8;  ///< spacings, at the scene's own size
+/// Of the margin of a grid of distances beyond its zone: further than the buffers of the zone reach [coarse spacings].
+constexpr double known_beyond = 8;
 /// Of the grid of distances from a hull: of a run, and where particles are only counted.
 constexpr double most_nodes = 5e6, most_counted_nodes = 5e5;
+
+/// Spacings in a length of a run at `--scale` s over those at the scene's own size [-]. From 0.71 to 2 its zones are as
+/// wide in metres as those of the scene, so that runs of several sizes are similar and the coarser ones cheap
+/// (docs/decisions/031-levels.md); coarser ones keep half as many spacings, finer ones 1.41 times as many.
+double narrowing(const Scene& scene) { return std::clamp(1 / scene.resolution.scale, 0.5, std::numbers::sqrt2); }
 
 /// What finer particles stand round.
 struct Root {
@@ -53,7 +61,7 @@ std::vector<Root> roots(const Scene& scene, std::span<const MovedSolid> moving) 
 Box zone_box(const Root& what, double width, double coarse_dp, const Scene& scene) {
     const Box& domain = scene.domain.box;
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    const double clear = from_openings * coarse_dp;
+    const double clear = (from_openings * narrowing(scene) - 1e-3) * coarse_dp;  // less: faces of two lattices meet
     Box box{what.box.min - Vec3::Constant(width), what.box.max + Vec3::Constant(width)};
     if (!what.moves) {
         box.min = (box.min / coarse_dp).array().floor() * coarse_dp;
@@ -114,8 +122,7 @@ Zone zone_near_hull(std::vector<Box> boxes, double width, double coarse_dp, cons
     const Box& first = boxes.front();
     const Box wet{first.min.cwiseMax(scene.domain.box.min), first.max.cwiseMin(scene.domain.box.max)};
     const double nodes_apart = sampling_distance(coarse_dp, wet.size(), most);
-    auto near =
-        std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + from_openings * coarse_dp);
+    auto near = std::make_shared<DistanceGrid>(scene.hull->surface, wet, nodes_apart, width + known_beyond * coarse_dp);
     for (int a = 0; a < 3; ++a) {
         if (std::isinf(first.min[a])) near->draw_out(a, false);
         if (std::isinf(first.max[a])) near->draw_out(a, true);
@@ -137,13 +144,13 @@ Box between_forcing_zones(const Scene& scene) {
 /// The boxes round the solids, the finest first: for each size one box a solid.
 std::vector<std::vector<Box>> boxes_round(const std::vector<Root>& solids, const Scene& scene) {
     const double dp = scene.resolution.near_hull;
-    double width = scene.sph.zone * dp;
+    double width = zone_width(scene);
     std::vector<std::vector<Box>> boxes;
     for (int k = 1; k < scene.sph.levels; ++k) {
         const double coarse_dp = std::ldexp(dp, k);
         std::vector<Box>& of_size = boxes.emplace_back();
         for (const Root& solid : solids) of_size.push_back(zone_box(solid, width, coarse_dp, scene));
-        width += between * coarse_dp;
+        width += between * narrowing(scene) * coarse_dp;
     }
     if (has_coarse_zones(scene)) boxes.push_back({between_forcing_zones(scene)});
     return boxes;
@@ -178,7 +185,7 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
         double x = solids[i].box.min.x(), dp = scene.resolution.near_hull;
         for (int k = 0; k < fit; ++k, dp *= 2) {
             const Box& box = boxes[static_cast<std::size_t>(k)][i];
-            if (stream ? box.min.x() > x - from_openings * dp
+            if (stream ? box.min.x() > x - from_openings * narrowing(scene) * dp
                        : fills_the_domain(box, scene) || !fills_the_water(scene, 2 * dp, dp))
                 fit = k;
             x = box.min.x();
@@ -193,11 +200,16 @@ std::vector<RefinedPlace> finer_places(const Scene& scene) {
     if (scene.sph.wake == 0 || !follows_its_hull(scene)) return places;
     RefinedPlace& wake = places.emplace_back();
     wake.halvings_short = static_cast<int>(std::floor(std::log2(scene.sph.wake)));
-    wake.boxes = {wake_of(scene, width_of_place * std::ldexp(scene.resolution.near_hull, wake.halvings_short))};
+    wake.boxes = {wake_of(
+        scene, width_of_place * narrowing(scene) * std::ldexp(scene.resolution.near_hull, wake.halvings_short))};
     return places;
 }
 
 }  // namespace
+
+double zone_width(const Scene& scene) {
+    return std::max(scene.sph.zone * narrowing(scene), 8.0) * scene.resolution.near_hull;
+}
 
 double sampling_distance(double asked, const Vec3& size, double most) {
     const double volume = size.prod(), needed = std::cbrt(volume / most);
@@ -287,7 +299,7 @@ std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> movin
             }
         }
         const Box first = boxes.front().box;
-        join_near(boxes, from_openings * coarse_dp);
+        join_near(boxes, from_openings * narrowing(scene) * coarse_dp);
         std::vector<Box> parts;
         for (const ZoneBox& b : boxes) parts.push_back(b.box);
         const bool alone = k > below && first.min == parts.front().min && first.max == parts.front().max;
@@ -295,7 +307,7 @@ std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> movin
         if (!alone || !follows_its_hull(scene) || is_whole_box) {
             zones.insert(zones.begin(), Zone(std::move(parts)));
         } else if (start.empty()) {
-            const double width = scene.sph.zone * scene.resolution.near_hull + reach[static_cast<std::size_t>(below)];
+            const double width = zone_width(scene) + reach[static_cast<std::size_t>(below)];
             zones.insert(zones.begin(), zone_near_hull(std::move(parts), width, coarse_dp, scene, most));
         } else {
             zones.insert(zones.begin(),
@@ -303,7 +315,7 @@ std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> movin
                               scene.hull_is_free() ? moving.front().way : Eigen::Isometry3d::Identity()));
         }
         for (int size = 0; size < k && size < finer; ++size)
-            reach[static_cast<std::size_t>(size)] += between * coarse_dp;
+            reach[static_cast<std::size_t>(size)] += between * narrowing(scene) * coarse_dp;
     }
     return zones;
 }

@@ -14,7 +14,8 @@ namespace tw {
 /// scene asks for ([[refine]]), which alone may hold particles finer than near_hull. Faces are at infinity where a zone
 /// goes on through the sky, a wall, a symmetry plane or the outlet, because no coarser particles fit between; others of
 /// boxes lie on the coarse lattice, but for those round what moves. Edges are ten spacings of the level between them
-/// apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one. Where
+/// apart, and eight of the coarser side from the inlet; boxes with less than eight between them become one; at scales
+/// from 0.71 to 2 these lengths and zone_width are those of scale 1. Where
 /// forcing zones have coarse particles the box without these zones is the widest. Empty where particles have one size.
 /// Throws InputError where there is no solid, or no room ahead of it or within the tank.
 std::vector<Zone> particle_zones(const Scene& scene);
@@ -24,6 +25,8 @@ std::vector<Zone> zones_to_count(const Scene& scene);
 /// The first with what moves where it is now: a hull that is free, then bodies, in the scene's order. `start`: the
 /// zones at the start, whose distances from the hull go with it. Asks nothing.
 std::vector<Zone> particle_zones(const Scene& scene, std::span<const MovedSolid> moving, std::span<const Zone> start);
+/// Width of the finest zone round a solid [m].
+double zone_width(const Scene& scene);
 /// Whether zones go with something that moves; what that is, as it stands at the start.
 bool zones_move(const Scene& scene);
 std::vector<MovedSolid> moving_at_start(const Scene& scene);

@@ -40,7 +40,7 @@ TEST(Cost, TheTablesOwnMachineSpendsWhatIsPredicted) {
         const char* study;
         double scale, particles, cells;  // [-], [s], [s]
     };
-    for (const Spent& run : {Spent{"demo", 2, 24.8, 8.5}, Spent{"demo", 1.41421356, 53.6, 21.0},
+    for (const Spent& run : {Spent{"demo", 2, 11.2, 8.5}, Spent{"demo", 1.41421356, 28.1, 21.0},
                              Spent{"demo", 1, 90.6, 78.3}, Spent{"regular_wave", 1, 83.6, 226.8},
                              Spent{"regular_wave", 2, 10.9, 30.9}, Spent{"channel_bump", 1.41421356, 19.9, 16.7},
                              Spent{"channel_bump", 2, 7.8, 10.9}, Spent{"sluice", 0.70710678, 25.1, 28.3}}) {

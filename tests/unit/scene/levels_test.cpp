@@ -250,8 +250,41 @@ TEST(ParticleLevels, TwinsHaveTheSameBoxAndCostLess) {
     const Scene fine = scene_of(planing), twin = scene_of(planing, twice);
     EXPECT_EQ(twin.domain.as_asked.min, fine.domain.as_asked.min);
     EXPECT_EQ(twin.domain.as_asked.max, fine.domain.as_asked.max);
-    EXPECT_EQ(twin.sph.levels, 2);
-    EXPECT_LT(predict(twin).of("sph").seconds, 0.4 * predict(fine).of("sph").seconds);
+    EXPECT_EQ(twin.sph.levels, fine.sph.levels);
+    EXPECT_LT(predict(twin).of("sph").seconds, 0.2 * predict(fine).of("sph").seconds);
+}
+
+// So that they differ in nothing but the size: as many sizes, edges at the same places, an eighth of the particles.
+TEST(ParticleLevels, OfCoarserRunsHaveTheirEdgesAtTheSamePlaces) {
+    const std::string text = planing + wide_domain + "below = \"3 m\"\n[sph]\nlevels = 3\n";
+    const Scene fine = scene_of(text);
+    const std::vector<Zone> zones = particle_zones(fine);
+    ASSERT_EQ(zones.size(), 2u);
+    for (const double scale : {std::numbers::sqrt2 / 2, std::numbers::sqrt2, 2.0}) {
+        SceneOverrides coarser;
+        coarser.scale_resolution = scale;
+        const Scene coarse = scene_of(text, coarser);
+        ASSERT_EQ(coarse.sph.levels, 3) << scale;
+        const std::vector<Zone> twins = particle_zones(coarse);
+        for (std::size_t k = 0; k < 2; ++k) {
+            EXPECT_NEAR(twins[k].width(), zones[k].width(), 1e-9) << scale;
+            const Box &mine = zones[k].boxes()[0], &its = twins[k].boxes()[0];
+            const double lattice =
+                std::ldexp(std::max(fine.resolution.near_hull, coarse.resolution.near_hull), k == 0 ? 2 : 1) * 1.001;
+            for (int a = 0; a < 3; ++a)
+                for (const auto& [x, y] : {std::pair{mine.min[a], its.min[a]}, std::pair{mine.max[a], its.max[a]}})
+                    if (std::isinf(x))
+                        EXPECT_EQ(y, x) << scale << ", zone " << k << ", axis " << a;
+                    else
+                        EXPECT_NEAR(y, x, lattice) << scale << ", zone " << k << ", axis " << a;
+        }
+        EXPECT_LT(predict(coarse).particles, 1.5 / std::pow(scale, 3) * predict(fine).particles) << scale;
+    }
+    // in spacings neither below eight, within which the hull and the buffers of the edge would meet, nor ever more
+    SceneOverrides coarsest, finest;
+    coarsest.scale_resolution = 4, finest.scale_resolution = 0.25;
+    EXPECT_DOUBLE_EQ(zone_width(scene_of(text, coarsest)), 8 * 0.2);
+    EXPECT_DOUBLE_EQ(zone_width(scene_of(text, finest)), std::numbers::sqrt2 * 16 * 0.0125);
 }
 
 TEST(ParticleLevels, TakeFewerParticlesAndLessTimeThanOneSize) {
