@@ -22,6 +22,7 @@
 #include "compare/metrics/sea.h"
 #include "compare/metrics/splash.h"
 #include "compare/metrics/tank_loads.h"
+#include "compare/metrics/volumes.h"
 #include "compare/metrics/walls.h"
 #include "compare/read/prepare.h"
 #include "compare/reference/planing.h"
@@ -282,6 +283,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_regular_wave(comparison);
     add_added_by_waves(comparison, options);
     add_sea(comparison);
+    add_volumes(comparison);
     add_free_decay(comparison);
     add_bodies(comparison);
     add_tank_loads(comparison);

@@ -7,6 +7,7 @@
 #include "import/readers.h"
 #include "record/code_version.h"
 #include "record/this_machine.h"
+#include "record/water_in_box.h"
 #include "scene/new_record.h"
 
 namespace tw {
@@ -30,7 +31,7 @@ bool is_there(const fs::path& path) {
 
 struct KnownScene {
     RunRecord record;
-    std::map<std::string, std::set<std::string>> probes;  ///< of tables pressure and height
+    std::map<std::string, std::set<std::string>> probes;  ///< of tables pressure, height and volume
 };
 
 /// The scene from its file, or from a record of a run of it: a run of other size or speed than the file says
@@ -45,7 +46,7 @@ KnownScene known_scene(const Mapping& m) {
     if (m.scene.extension() == ".h5") {
         known.record = read_record(m.scene);
         known.record.hull = {};  // as that method's mesh has it, perhaps one half
-        for (const char* table : {"pressure", "height"})
+        for (const char* table : {"pressure", "height", volume_table})
             if (const auto found = known.record.tables.find(table); found != known.record.tables.end())
                 for (const Column& c : found->second.columns) known.probes[table].insert(c.name);
         return known;
@@ -54,24 +55,26 @@ KnownScene known_scene(const Mapping& m) {
     known.record = new_record(scene, "import");
     for (const PressureProbe& p : scene.sampling.pressure) known.probes["pressure"].insert(p.name);
     for (const HeightProbe& p : scene.sampling.height) known.probes["height"].insert(p.name);
+    for (const WaterBox& v : scene.sampling.volumes) known.probes[volume_table].insert(v.name);
     return known;
 }
 
 void check_probes(const Mapping& m, const KnownScene& known) {
     for (const ColumnSource& c : m.columns) {
-        if (c.table != "pressure" && c.table != "height") continue;
+        const bool box = c.table == volume_table;
+        if (!box && c.table != "pressure" && c.table != "height") continue;
         const auto found = known.probes.find(c.table);
         if (found != known.probes.end() && found->second.contains(c.name)) continue;
         std::string names;
         if (found != known.probes.end())
             for (const std::string& name : found->second) names += (names.empty() ? "" : ", ") + name;
         const std::string scene = m.scene.filename().string();
-        throw InputError(
-            names.empty()
-                ? fmt::format("{}: {} has no {} probe; expected a [[probe]] with {} = ... and name = \"{}\" there",
-                              c.place, scene, c.table, c.table, c.name)
-                : fmt::format("{}: {} has no {} probe of this name; expected one of: {}", c.place, scene, c.table,
-                              names));
+        const std::string kind = box ? "box" : c.table + " probe",
+                          wanted = box ? "[[volume]] with" : fmt::format("[[probe]] with {} = ... and", c.table);
+        throw InputError(names.empty() ? fmt::format("{}: {} has no {}; expected a {} name = \"{}\" there", c.place,
+                                                     scene, kind, wanted, c.name)
+                                       : fmt::format("{}: {} has no {} of this name; expected one of: {}", c.place,
+                                                     scene, kind, names));
     }
 }
 

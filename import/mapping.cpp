@@ -10,13 +10,15 @@
 #include "base/read_file.h"
 #include "meshes/axis_turn.h"
 #include "methods/methods.h"
+#include "record/water_in_box.h"
 #include "text/section.h"
 #include "text/units.h"
 
 namespace tw {
 namespace {
 
-/// The columns of the record that a table may give, with their SI units; pressure and height name the scene's probes.
+/// The columns of the record that a table may give, with their SI units; pressure, height and volume name the scene's
+/// probes and boxes.
 struct KnownTable {
     std::string name;
     std::vector<std::pair<std::string, std::string>> columns;
@@ -36,6 +38,7 @@ const std::vector<KnownTable>& known_tables() {
          ""},
         {"height", {}, "m"},
         {"pressure", {}, "Pa"},
+        {volume_table, {}, "m3"},
         {"samples", {{"wetted_length", "m"}, {"wetted_area", "m2"}}, ""},
     };
     return tables;
@@ -216,8 +219,9 @@ Mapping read_mapping(const std::filesystem::path& file) {
     if (m.kind == "csv" && !m.time)
         root.fail("time", "missing; expected e.g. time = \"t\", or a section [time] with column and unit");
     if (m.kind == "csv" && m.columns.empty())
-        root.fail("forces",
-                  "no column is mapped; expected at least one in [forces], [height], [pressure] or [samples]");
+        root.fail(
+            "forces",
+            "no column is mapped; expected at least one in [forces], [height], [pressure], [volume] or [samples]");
     for (const auto& [key, value] : document.members) m.place[key] = root.where(key);
     return m;
 }

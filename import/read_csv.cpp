@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "import/logger_csv.h"
 #include "import/readers.h"
+#include "record/water_in_box.h"
 #include "text/csv_columns.h"
 #include "text/did_you_mean.h"
 #include "text/units.h"
@@ -104,7 +105,8 @@ MomentPoint read_csv(const Mapping& mapping, RunRecord& record) {
     for (const ColumnSource& c : mapping.columns) {
         Table& table = record.table(c.table);
         table.time = time;
-        table.column(c.name, c.si_unit).values = series_of(c, csv, units);
+        const bool per_width = c.table == volume_table && record.numbers["dimensions"] == 2;
+        table.column(c.name, per_width ? c.si_unit + "/m" : c.si_unit).values = series_of(c, csv, units);
     }
     return mapping.moment_point;
 }

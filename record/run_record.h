@@ -54,7 +54,7 @@ struct BodyShape {
 ///            FVM: fx_total, fz_total (air included); fx_air, fz_air, also SPH with air
 ///   samples: mass, kinetic_energy, potential_energy, dt, max_mach | max_courant, max_speed, particles | cells,
 ///            particles_in, particles_out, particles_lost, wetted_length [m], ventilation [-], wetted_area [m2]
-///   pressure, height: one column per probe of the scene
+///   pressure, height: one column per probe of the scene; volume: one per box, see record/water_in_box.h
 ///   body_NAME: of each body that moves, one row per step: x, y, z of its centre of mass and `lowest`, height of its
 ///            lowest point [m]; q0, qx, qy, qz, the quaternion that turns it from how it stood at first; vx.. [m/s],
 ///            spin_x.. [rad/s]; fx.., mx.. force of the water and its moment about the centre of mass [N, N m], earth

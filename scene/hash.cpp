@@ -189,6 +189,7 @@ void add_geometry(Lines& t, const Scene& scene, bool sizes) {
         t.add("block", flat ? Box{flattened(block.min, middle), flattened(block.max, middle)} : block);
     for (const PressureProbe& p : scene.sampling.pressure) t.add("pressure", p.name).add("at", p.place);
     for (const HeightProbe& p : scene.sampling.height) t.add("height", p.name).add("at", {p.x, p.y});
+    for (const WaterBox& v : scene.sampling.volumes) t.add("volume", v.name).add("in", v.box);
     for (const RefinedPlace& place : scene.refined) {
         if (place.around == RefinedPlace::Around::box)
             t.add("refined", place.boxes.front());

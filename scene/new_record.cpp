@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -21,6 +22,7 @@
 #include "scene/particles/particle_levels.h"
 #include "scene/refined_places.h"
 #include "scene/solids/hull_motion.h"
+#include "scene/solids/sea_wall.h"
 #include "scene/solids/thin_jet.h"
 #include "scene/water/capillary.h"
 #include "scene/water/dry_floor.h"
@@ -213,8 +215,24 @@ void note_waves(RunRecord& record, const Scene& scene) {
         record.numbers["wave_direction"] = wave.sum.direction;
     }
     if (scene.sea) note_sea(record, scene);
-    if (scene.has_wave())
-        for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
+    if (!scene.has_wave()) return;
+    for (const Obstacle& o : scene.obstacles) {
+        const Box at = o.surface.bounds();
+        record.numbers["obstacle_x_min_" + o.name] = at.min.x();
+        record.numbers["obstacle_x_max_" + o.name] = at.max.x();
+    }
+    for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
+    for (const WaterBox& v : scene.sampling.volumes) {
+        const auto wall = sea_wall_before(scene, v.box);
+        if (!wall) continue;
+        const Box& all = scene.domain.box;
+        record.numbers["wall_freeboard_" + v.name] = wall->freeboard;
+        record.numbers["wall_cot_slope_" + v.name] = wall->cot_slope;
+        record.numbers["wall_depth_" + v.name] = wall->depth;
+        record.numbers["wall_width_" + v.name] =  // of what the table gives
+            scene.domain.dimensions == 2 ? 1
+                                         : std::min(v.box.max.y(), all.max.y()) - std::max(v.box.min.y(), all.min.y());
+    }
 }
 
 /// What this method alone is set to, and the finer places of its solution.

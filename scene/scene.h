@@ -183,12 +183,19 @@ struct HeightProbe {
     double filter = 0;    ///< as a pressure probe's [s]
 };
 
+/// A box in which the volume of water is recorded; in two dimensions it has no ends along y.
+struct WaterBox {
+    std::string name;
+    Box box;  ///< [m]
+};
+
 struct Sampling {
     double interval = 0;   ///< between frames (raster, metrics) [s]
     double mean_from = 0;  ///< settled means are not begun before this time [s]
     RasterSpec raster;
     std::vector<PressureProbe> pressure;
     std::vector<HeightProbe> height;
+    std::vector<WaterBox> volumes;
     std::vector<double> cuts_x, cuts_y;  ///< planes in which the free surface is reported [m]
     double snapshot_interval = 0;        ///< ParaView files [s]; 0: of the last moment alone, below 0: none
 };

@@ -75,31 +75,13 @@ std::array<MeanValue, 3> values_at(const RunRecord& r, const std::string& gauge,
     return {mean_over(height, periods), mean_over(crest, periods), mean_over(trough, periods)};
 }
 
-/// First harmonics of the gauges of a record over a time, by places along the wave's direction.
-struct Harmonics {
-    std::vector<double> x;
-    std::vector<std::complex<double>> amplitude;
-};
-Harmonics harmonics_at(const RunRecord& r, const std::set<std::string>& gauges, double from, double to, double omega,
-                       std::size_t fewest) {
-    Harmonics h;
-    for (const std::string& gauge : gauges) {
-        const WaveSamples s = samples_of(r, gauge, from, to);
-        const double at = number_of(r, "height_x_" + gauge, NAN);
-        if (s.t.size() < fewest || !std::isfinite(at)) continue;
-        h.x.push_back(number_of(r, "wave_direction", 1) * at);
-        h.amplitude.push_back(first_harmonic(s.t, s.x, omega));
-    }
-    return h;
-}
-
 struct Reflection {
     MeanValue reflected, loss;  ///< [%]
 };
 Reflection reflection_in(const RunRecord& r, const std::set<std::string>& gauges, const WavePeriods& periods) {
     const double end = periods.from + periods.count * periods.period, omega = 2 * pi / periods.period,
                  k = 2 * pi / number_of(r, "wave_length", 1);
-    const Harmonics all = harmonics_at(r, gauges, periods.from, end, omega, 20);
+    const GaugeHarmonics all = harmonics_at(r, gauges, periods.from, end, omega, 20);
     if (all.x.size() < 2) {
         const MeanValue none = unknown_value("fewer than two gauges recorded it");
         return {none, none};
@@ -122,7 +104,7 @@ Reflection reflection_in(const RunRecord& r, const std::set<std::string>& gauges
     const double length = 2 * pi / k;
     for (int n = 0; n < periods.count; ++n) {
         const double from = periods.from + n * periods.period;
-        const Harmonics one = harmonics_at(r, gauges, from, from + periods.period, omega, 2 * unknowns);
+        const GaugeHarmonics one = harmonics_at(r, gauges, from, from + periods.period, omega, 2 * unknowns);
         const DecayingParts here = split_decaying_waves(one.x, one.amplitude, k);
         if (one.x.size() != all.x.size() || !here.apart) continue;
         ratios.push_back(here.reflected / here.incident);
@@ -136,6 +118,19 @@ Reflection reflection_in(const RunRecord& r, const std::set<std::string>& gauges
 }
 
 }  // namespace
+
+GaugeHarmonics harmonics_at(const RunRecord& r, const std::set<std::string>& gauges, double from, double to,
+                            double omega, std::size_t fewest) {
+    GaugeHarmonics h;
+    for (const std::string& gauge : gauges) {
+        const WaveSamples s = samples_of(r, gauge, from, to);
+        const double at = number_of(r, "height_x_" + gauge, NAN);
+        if (s.t.size() < fewest || !std::isfinite(at)) continue;
+        h.x.push_back(number_of(r, "wave_direction", 1) * at);
+        h.amplitude.push_back(first_harmonic(s.t, s.x, omega));
+    }
+    return h;
+}
 
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega) {
     const Eigen::VectorXd fit = fit_harmonics(t, values, omega);
@@ -213,7 +208,9 @@ void add_regular_wave(Comparison& comparison) {
     add_wave_responses(comparison, periods);
     add_hull_in_waves(comparison, periods);
     add_wave_forces(comparison, periods);
-    if (gauges.size() < 2) return;
+    const GaugeSides sides = gauge_sides(comparison);
+    add_wave_transmission(comparison, sides, periods);
+    if (sides.before.size() < 2) return;
     Quantity reflected =
                  new_quantity("wave_reflection", "Reflection of the wave", "%",
                               "reflected over incident amplitude of the first harmonic, by least squares over the "
@@ -221,11 +218,11 @@ void add_regular_wave(Comparison& comparison) {
              loss = new_quantity("wave_loss", "Loss of height in a wave length", "%",
                                  "of the incident first harmonic, by its decay over three gauges or more");
     for (const RunRecord& r : comparison.sources) {
-        const Reflection found = reflection_in(r, gauges, periods);
+        const Reflection found = reflection_in(r, sides.before, periods);
         reflected.values.push_back(found.reflected);
         loss.values.push_back(found.loss);
     }
-    const bool decays = gauges.size() > 2;
+    const bool decays = sides.before.size() > 2;
     // A wave that runs back against a stream has another length, and above U omega_e/g = 1/4 there is none.
     const bool in_stream = number_of(comparison.sources.front(), "speed", 0) > 0;
     for (Quantity* q : {&reflected, &loss}) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/compare.h"
+#include "compare/metrics/gauge_sides.h"
 #include "compare/metrics/wave_samples.h"
 
 namespace tw {
@@ -24,10 +25,13 @@ namespace tw {
 ///   heave_response:hull, pitch_response:hull   the same of a hull that is free in heave and pitch in a stream, and
 ///   heave_phase:hull, pitch_phase:hull   by how much they are before the theory's crest at its centre of mass [deg]
 ///   acceleration_centre:hull, acceleration_bow:hull   highest upward acceleration in each period [m/s2]
-///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more [%]: of two by split_waves over the
+///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more, of those before an obstacle where
+///                        some are behind it [%]: of two by split_waves over the
 ///                        whole time, of more by split_decaying_waves of each period, with the 95 % interval of the mean of
 ///                        the complex ratio over the periods; in a stream, where a wave that runs back has another length,
 ///                        there is none
+///   wave_transmission    |a_i| behind an obstacle over |a_i| before it (gauge_sides.h), each by split_waves, mean over the
+///                        periods [%]; of a single gauge behind it the amplitude of all that is there
 ///   wave_force_x, wave_force_z   of what stands fixed, a hull that is held too, without bodies: amplitude of the first harmonic [N]
 ///   wave_force_phase_x, _z       by how much it is before the theory's crest at x = 0 [deg]
 ///   wave_drift_x                 mean force along x [N]
@@ -35,16 +39,25 @@ namespace tw {
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);
 /// The parts of it that speak of forces, of bodies and of a hull that is free in a stream, over the periods that are judged
-/// (wave_forces.cpp, wave_responses.cpp, hull_in_waves.cpp).
+/// (wave_forces.cpp, wave_responses.cpp, hull_in_waves.cpp, wave_transmission.cpp).
 void add_wave_forces(Comparison& comparison, const WavePeriods& periods);
 void add_wave_responses(Comparison& comparison, const WavePeriods& periods);
 void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods);
+void add_wave_transmission(Comparison& comparison, const GaugeSides& sides, const WavePeriods& periods);
 
 /// Of records that were given their calm twin (record/wave_twin.h), judged by grid studies: means over the whole
 /// periods less the settled means of the same run without the wave,
 ///   added_resistance [N]; of a free hull added_trim [deg], added_rise [m]
 void add_added_by_waves(Comparison& comparison, const CompareOptions& options);
 
+/// First harmonics of gauges of a record over a time [s], by places along the wave's way [m]; those with fewer samples than
+/// `fewest`, or without a place, are left out.
+struct GaugeHarmonics {
+    std::vector<double> x;
+    std::vector<std::complex<double>> amplitude;  ///< [m]
+};
+GaugeHarmonics harmonics_at(const RunRecord& record, const std::set<std::string>& gauges, double from, double to,
+                            double omega, std::size_t fewest);
 /// A exp(-i omega t) + mean, fitted to samples by least squares over their whole time.
 std::complex<double> first_harmonic(std::span<const double> t, std::span<const double> values, double omega);
 /// First harmonic A exp(-i omega t) of a series in each period [unit of the series]; none where it has too few samples.

@@ -12,6 +12,7 @@
 #include <optional>
 #include <sstream>
 
+#include "compare/metrics/gauge_sides.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/wave_analysis.h"
 #include "compare/metrics/wave_samples.h"
@@ -318,11 +319,12 @@ void add_sea(Comparison& comparison) {
         else
             add_spectrum(comparison, sea, gauge);
     }
-    if (gauges.size() < 2 || sea.focused()) return;
+    const GaugeSides sides = gauge_sides(comparison);
+    if (sides.before.size() < 2 || sea.focused()) return;
     Quantity q =
         new_quantity("wave_reflection", "Reflection of the waves", "%",
                      "root of reflected over incident energy, by least squares over the gauges at each frequency");
-    for (const RunRecord& r : comparison.sources) q.values.push_back(reflection_of(r, gauges, sea));
+    for (const RunRecord& r : comparison.sources) q.values.push_back(reflection_of(r, sides.before, sea));
     add_judged(comparison, std::move(q), NAN);
 }
 

@@ -14,6 +14,7 @@
 #include "record/force_names.h"
 #include "record/hull_motion.h"
 #include "record/record_numbers.h"
+#include "record/water_in_box.h"
 #include "statistics/time_bins.h"
 
 namespace tw {
@@ -256,15 +257,17 @@ std::vector<Figure> cut_figures(const Comparison& c) {
 
 std::vector<Figure> probe_figures(const Comparison& c) {
     std::vector<Figure> figures;
-    for (const std::string table : {"height", "pressure"}) {
+    const std::pair<std::string, const char*> tables[] = {
+        {"height", "Water height at"}, {volume_table, "Water in"}, {"pressure", "Pressure at"}};
+    for (const auto& [table, title] : tables) {
         std::set<std::pair<std::string, std::string>> names;
         for (const RunRecord& r : c.sources)
             if (const auto found = r.tables.find(table); found != r.tables.end())
                 for (const Column& column : found->second.columns) names.emplace(column.name, column.unit);
         for (const auto& [name, unit] : names)
-            figures.push_back(series_figure(
-                c, table, name, fmt::format("{} at {}", table == "height" ? "Water height" : "Pressure", name),
-                fmt::format("{} [{}]", table, unit), "", fmt::format("probe_{}", figures.size())));
+            figures.push_back(series_figure(c, table, name, fmt::format("{} {}", title, name),
+                                            fmt::format("{} [{}]", table, unit), "",
+                                            fmt::format("probe_{}", figures.size())));
     }
     return figures;
 }

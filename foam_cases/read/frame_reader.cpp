@@ -13,6 +13,7 @@
 #include "meshes/section.h"
 #include "record/raster.h"
 #include "record/recorded_checks.h"
+#include "record/water_in_box.h"
 #include "scene/defaults.h"
 #include "scene/new_record.h"
 #include "scene/solids/friction_line.h"
@@ -52,6 +53,13 @@ void keep_picture(const HullPatch& patch, bool half, RunRecord& record) {
         record.hull_pressure.push_back(record.hull_pressure[t]);
         record.hull_wet.push_back(record.hull_wet[t]);
     }
+}
+
+/// Edges of a cell as the cuboid that it is taken for [m]: of a section's mesh, one cell wide, as long as it is high.
+Vec3 edges_of_cell(double volume, const Scene& scene) {
+    if (scene.domain.dimensions != 2) return Vec3::Constant(std::cbrt(volume));
+    const double edge = std::sqrt(volume / scene.span());
+    return {edge, scene.span(), edge};
 }
 
 /// Whether the mesh has faces of a patch: constant/polyMesh/boundary lists each as NAME { ... nFaces N; ... }.
@@ -150,6 +158,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
     LevelAtEnds level(scene);
     const bool to_raster = scene.sampling.raster.voxel > 0 && frame_is_due(moment.time, log, record);
     Raster raster(scene.sampling.raster);
+    std::vector<double> in_boxes(scene.sampling.volumes.size());  // [m3]
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const fs::path folder = folders_.roots()[k] / moment.name;
         const FieldFile alpha = read_field(folder / "alpha.water"), speed = read_field(folder / "U");
@@ -160,6 +169,9 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             volume += water;
             level.add(part.centres[i], part.volumes[i], water);
             if (to_raster) raster.pour_cell(part.centres[i], part.volumes[i], water);
+            for (std::size_t b = 0; b < in_boxes.size(); ++b)
+                in_boxes[b] += water * share_in_box(scene.sampling.volumes[b].box, part.centres[i],
+                                                    edges_of_cell(part.volumes[i], scene));
             if (share <= 1e-6) continue;
             const double v2 = speed.vector(i).squaredNorm();
             kinetic += 0.5 * density * water * v2;
@@ -183,6 +195,7 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             {fast_water, "-", volume > 0 ? too_fast / volume : 0},
             {"cells", "-", static_cast<double>(cells())}});
     level.keep(record);
+    keep_volumes(moment.time, in_boxes, record);
     // OpenFOAM's step follows its Courant number with a delay; a multiple of the limit is a fault. Places are not
     // known.
     const Vec3 nowhere = RecordedCheck{}.place;
@@ -195,6 +208,15 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
                             nowhere});
     // a body or a tank that moves does work on the water
     if (!plan_.mesh_moves() && !scene.tank_motion) watch_energy(record);
+}
+
+void FrameReader::keep_volumes(double time, const std::vector<double>& in_boxes, RunRecord& record) const {
+    const Scene& scene = *plan_.scene;
+    if (in_boxes.empty()) return;
+    Table& t = record.table(volume_table);
+    const std::size_t row = t.append(time);
+    for (std::size_t b = 0; b < in_boxes.size(); ++b)
+        t.set(row, scene.sampling.volumes[b].name, scene.spanwise_unit("m3"), in_boxes[b] / scene.span());
 }
 
 void FrameReader::keep_load(double time, const WaterLoad& load, RunRecord& record) const {

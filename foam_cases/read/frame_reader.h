@@ -47,6 +47,8 @@ private:
     };
     bool frame_is_due(double time, const SolverLog& log, const RunRecord& record) const;
     void read_water(const TimeFolders::Moment& moment, const SolverLog& log, RunRecord& record) const;
+    /// `in_boxes`: water in each box of the scene, as solved [m3].
+    void keep_volumes(double time, const std::vector<double>& in_boxes, RunRecord& record) const;
     void keep_load(double time, const WaterLoad& load, RunRecord& record) const;
     void keep_hull(double time, const HullPatch& patch, const WaterLoad& load, RunRecord& record) const;
     void note_mesh_error(double time, const HullPatch& patch, RunRecord& record) const;

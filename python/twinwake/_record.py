@@ -29,10 +29,11 @@ _SIGN = b"\ntwinwake sha256 "  # and 64 digits and a line end, behind HDF5's own
 
 @dataclass(frozen=True)
 class Probe:
-    """A probe of the scene: pressures [Pa], or heights of the water's surface [m], at the times [s] of the frames."""
+    """A probe of the scene: pressures [Pa], heights of the water's surface [m], or volumes of water in its boxes [m3],
+    at the times [s] of the frames."""
 
     name: str
-    kind: str  #: "pressure" or "height"
+    kind: str  #: "pressure", "height" or "volume"
     unit: str
     times: np.ndarray
     values: np.ndarray  #: NaN where the method does not know
@@ -285,9 +286,9 @@ class Record:
 
     @property
     def probes(self) -> Dict[str, Probe]:
-        """The scene's probes by name: pressures and heights. A name of both kinds is told apart by "NAME (height)"."""
+        """The scene's probes and boxes by name. A name of two kinds is told apart by "NAME (height)" or "NAME (volume)"."""
         found: Dict[str, Probe] = {}
-        for kind in ("pressure", "height"):
+        for kind in ("pressure", "height", "volume"):
             if kind not in self._tables:
                 continue
             units, columns = self.units(kind), self.arrays(kind)

@@ -21,6 +21,7 @@ std::vector<SceneKey> domain_keys();
 std::vector<SceneKey> run_keys();
 std::vector<SceneKey> sampling_keys();
 std::vector<SceneKey> probe_keys();
+std::vector<SceneKey> volume_keys();
 std::vector<SceneKey> measured_keys();
 std::vector<SceneKey> water_block_keys();
 std::vector<SceneKey> refine_keys();

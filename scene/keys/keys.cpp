@@ -42,6 +42,7 @@ std::vector<SceneKey> all_keys() {
         {"run", run_keys()},
         {"sampling", sampling_keys()},
         {"probe", probe_keys()},
+        {"volume", volume_keys()},
         {"measured", measured_keys()},
         {"tank", tank_keys()},
         {"water_block", water_block_keys()},
@@ -86,6 +87,10 @@ const std::vector<SectionRow>& scene_sections() {
         {"run", false, "How long and how the scene is run."},
         {"sampling", false, "What is recorded, and when."},
         {"probe", true, "A place at which pressure or height is recorded; exactly one of the two is given."},
+        {"volume", true,
+         "A box in which the volume of water is recorded, as that behind a breakwater; with waves also the rate at "
+         "which "
+         "it grows."},
         {"measured", true,
          "What was measured of a quantity: the reports show it beside the runs, and say which of them miss it."},
         {"tank", false,

@@ -247,6 +247,17 @@ Rows probe_keys() {
     };
 }
 
+Rows volume_keys() {
+    return {
+        {.name = "name", .kind = Kind::name, .hashed = Hashed::scene, .fallback = "V1, V2, ...",
+         .meaning = "Name of the box's column in the record."},
+        {.name = "min", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "Low corner; in two dimensions y is not used. A face of the box belongs into the solid or beyond the wall on which water lies, not onto it."},
+        {.name = "max", .kind = Kind::place3, .unit = "m", .hashed = Hashed::scene, .fallback = "required",
+         .meaning = "High corner; the box may reach beyond the domain. Of a half model it counts what is solved."},
+    };
+}
+
 Rows measured_keys() {
     return {
         {.name = "quantity", .kind = Kind::name, .fallback = "required",

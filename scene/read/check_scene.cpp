@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "meshes/section.h"
 #include "meshes/symmetric.h"
 #include "scene/defaults.h"
@@ -167,6 +168,12 @@ void check_places(Scene& scene, Sections& s) {
         if (((at.max - box.min).array() <= 0).any() || ((box.max - at.min).array() <= 0).any())
             s.obstacles[i].fail(s.obstacles[i].has("min") ? "min" : "position",
                                 "the obstacle lies outside the domain; " + range);
+    }
+    for (std::size_t i = 0; i < scene.sampling.volumes.size(); ++i) {
+        Box& at = scene.sampling.volumes[i].box;
+        if (scene.domain.dimensions == 2) at.min.y() = -infinite, at.max.y() = infinite;
+        if (((at.max - box.min).array() <= 0).any() || ((box.max - at.min).array() <= 0).any())
+            s.volumes[i].fail("min", "the box lies outside the domain; " + range);
     }
     std::size_t pressure = 0, height = 0;
     for (SceneSection& probe : s.probes) {

@@ -18,7 +18,7 @@ namespace tw {
 struct Sections {
     SceneSection root, hull, water, motion, wave, resolution, domain, run, sampling, tank, effects;
     std::map<std::string, SceneSection> numerics;  ///< of each method, by its name
-    std::vector<SceneSection> obstacles, bodies, probes, water_blocks, refined, plies, gauges, measured;
+    std::vector<SceneSection> obstacles, bodies, probes, water_blocks, refined, plies, gauges, volumes, measured;
 };
 Sections split_sections(const std::filesystem::path& file, const TextValue& document);
 
@@ -59,6 +59,8 @@ std::vector<RefinedPlace> read_refined(std::vector<SceneSection>& sections, cons
 
 /// Edge of the raster's voxels [m].
 std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& probes, Scene& scene);
+/// The sections [[volume]]. Throws InputError where two have one name, or a box has no volume.
+std::vector<WaterBox> read_volumes(std::vector<SceneSection>& sections);
 /// The sections [[measured]]. Throws InputError where one is not whole, or two are of one quantity.
 std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections);
 

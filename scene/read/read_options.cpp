@@ -113,6 +113,19 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
     return raster_spacing;
 }
 
+std::vector<WaterBox> read_volumes(std::vector<SceneSection>& sections) {
+    std::vector<WaterBox> all;
+    std::set<std::string> taken;
+    for (SceneSection& s : sections) {
+        const std::string name = s.identifier("name", fmt::format("V{}", all.size() + 1));
+        if (!taken.insert(name).second)
+            s.fail("name", fmt::format("the name {} is taken; give every box its own", name));
+        all.push_back({name, read_box(s)});
+        s.finish();
+    }
+    return all;
+}
+
 std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections) {
     std::vector<MeasuredValue> all;
     std::set<std::string> taken;

@@ -68,6 +68,7 @@ void read_sections(Reading& r) {
     s.wave.read_into(scene);
     s.wave.finish();
     r.voxel = read_sampling(s.sampling, s.probes, scene);
+    scene.sampling.volumes = read_volumes(s.volumes);
     scene.measured = read_measured(s.measured);
     const auto read_all = [&](SceneSection& section) {
         section.read_into(scene);

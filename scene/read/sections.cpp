@@ -32,6 +32,7 @@ Sections split_sections(const std::filesystem::path& file, const TextValue& docu
                many("refine"),
                many("ply"),
                many("gauge"),
+               many("volume"),
                many("measured")};
     for (const std::string& method : method_names()) s.numerics.emplace(method, one(method));
     s.root = root;

@@ -239,6 +239,10 @@ std::string sampling_text(const Scene& scene, const Prediction& p) {
                                   s.raster.count[0], s.raster.count[1], s.raster.count[2], s.raster.voxel);
     if (s.mean_from > 0) out += fmt::format("means from {:.4g} s; ", s.mean_from);
     out += fmt::format("{} pressure and {} height probes\n", s.pressure.size(), s.height.size());
+    for (const WaterBox& v : s.volumes)
+        out += fmt::format("volume      {}: the water in {} to {} m\n", v.name,
+                           place_text(v.box.min.cwiseMax(scene.domain.box.min)),
+                           place_text(v.box.max.cwiseMin(scene.domain.box.max)));
     for (const MeasuredValue& m : scene.measured)
         out += fmt::format("measured    {} {:.6g} {} ({})\n", m.quantity, m.value / parse_unit(m.unit).factor, m.unit,
                            m.source);

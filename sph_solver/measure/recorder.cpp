@@ -23,6 +23,7 @@
 #include "sph_solver/measure/validity_checks.h"
 #include "sph_solver/measure/water_energy.h"
 #include "sph_solver/measure/water_raster.h"
+#include "sph_solver/measure/water_volumes.h"
 
 namespace tw {
 
@@ -247,6 +248,7 @@ void Recorder::sample_frame(Simulation& simulation, std::size_t row) {
     }
     record_walls(simulation, k);
     height_probes_.record(simulation, record_);
+    record_volumes(simulation, scene_, record_);
     if (tank_) tank_->record(simulation, record_.table(tank_table), per_span("N"), per_span("J"));
     record_levels(simulation.time());
 }

@@ -1,6 +1,7 @@
 // Where interFoam's probes look: on walls and solids, and over them.
 #include "foam_test.h"
 #include "tests/height_gauge_scene.h"
+#include "tests/still_block_scene.h"
 
 namespace tw {
 namespace probes_test {
@@ -18,6 +19,13 @@ TEST_F(Probes, KnowTheSolidsThatStandInStillWater) {
     EXPECT_NEAR(pressure("pier_foot"), 1962, stirred) << "an edge of floor and solid";
     EXPECT_NEAR(pressure("between_cells"), 1049.7, stirred);
     EXPECT_NEAR(pressure("under"), 588.6, stirred);
+}
+
+TEST_F(Probes, WaterInABoxIsThatOfAStillBlock) {
+    const RunRecord r = run_fvm(scene(still_block_scene), options());
+    ASSERT_EQ(r.state, "finished") << r.reason;
+    expect_volumes_of_still_block(r, 2e-4);  // the first row is of 10 ms; half a cell's width of the box is 1.5e-3
+    EXPECT_EQ(r.tables.at(volume_table).time.size(), 2u);
 }
 
 }  // namespace probes_test

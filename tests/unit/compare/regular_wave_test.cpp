@@ -103,6 +103,61 @@ TEST(RegularWaveMeasure, GivesHeightsAndReflectionOfARecord) {
     EXPECT_EQ(c.references.size(), 9);
 }
 
+/// A wave of 1 m and 0.8 s that runs towards -x and meets a breakwater from x = 0.2 to 0 m: 70 % of it come back, 25 % pass,
+/// and a tenth of these comes back from the tank's end.
+RunRecord past_breakwater() {
+    RunRecord r;
+    r.attributes = {{"method", "sph"}, {"state", "finished"}};
+    r.state = "finished";
+    r.numbers = {{"wave_period", 0.8}, {"wave_length", 1},         {"wave_direction", -1},      {"mean_from", 2},
+                 {"duration", 9},      {"obstacle_x_min_wall", 0}, {"obstacle_x_max_wall", 0.2}};
+    Table& table = r.table("height");
+    for (double t = 0; t < 9; t += 0.03) {
+        const std::size_t row = table.append(t);
+        for (const auto& [name, x] :
+             {std::pair{"a", 0.95}, {"b", 0.75}, {"c", 0.4}, {"on_top", 0.1}, {"d", -0.3}, {"e", -0.53}}) {
+            const double in = -2 * pi * x - 2 * pi / 0.8 * t, back = 2 * pi * x - 2 * pi / 0.8 * t, passed = x < 0.1;
+            table.set(row, name, "m",
+                      x == 0.1
+                          ? 0.05
+                          : (passed ? 0.25 : 1) * 0.02 * (std::cos(in) + (passed ? 0.1 : 0.7) * std::cos(back + 1)));
+            r.numbers[std::string("height_x_") + name] = x;
+        }
+    }
+    return r;
+}
+
+TEST(RegularWaveMeasure, TellsWhatABreakwaterReflectsFromWhatItLetsPass) {
+    Comparison c;
+    c.sources = {past_breakwater(), past_breakwater()};
+    c.sources[1].tables["height"].columns.pop_back();  // one gauge behind: with what comes back there
+    c.names = {"sph", "fvm"};
+    add_regular_wave(c);
+    const Quantity *reflection = c.find("wave_reflection"), *transmission = c.find("wave_transmission");
+    ASSERT_TRUE(reflection && transmission);
+    EXPECT_NEAR(reflection->values[0].value, 70, 0.01);
+    EXPECT_NEAR(transmission->values[0].value, 25, 0.01);
+    EXPECT_LT(transmission->values[0].half_width, 0.01);
+    const double with_back = 25 * std::abs(1.0 + 0.1 * std::polar(1.0, 4 * pi * -0.3 + 1));
+    EXPECT_NEAR(transmission->values[1].value, with_back, 0.02);
+    EXPECT_TRUE(transmission->judged_in_grid_study);
+}
+
+TEST(RegularWaveMeasure, GivesNoTransmissionWithoutGaugesOnBothSides) {
+    Comparison c;
+    c.sources = {past_breakwater()};
+    c.sources[0].numbers["obstacle_x_min_wall"] = -2;  // a slope up to the tank's end, under the last gauges
+    c.names = {"sph"};
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("wave_transmission"));
+    ASSERT_TRUE(c.find("wave_reflection"));
+    c.sources = {past_breakwater()};
+    for (const char* gauge : {"a", "b"}) c.sources[0].numbers.erase(std::string("height_x_") + gauge);
+    c.quantities.clear();
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("wave_transmission")->values[0].known) << "one gauge does not tell what runs towards the wall";
+}
+
 TEST(RegularWaveMeasure, GivesNoReflectionInAStream) {
     Comparison c;
     c.sources = {tank(0.04, 0)};

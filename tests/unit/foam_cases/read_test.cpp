@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "base/errors.h"
+#include "base/numbers.h"
 #include "foam_cases/read/field_file.h"
 #include "foam_cases/read/frame_reader.h"
 #include "foam_cases/read/hull_patch.h"
@@ -191,6 +192,33 @@ TEST_F(ReadTest, ASurfaceWhoseNumbersContradictEachOtherIsNoSurface) {
     EXPECT_FALSE(read("POLYGONS 1 4", "POLYGONS 1 40000000"));
     EXPECT_FALSE(read("p 1 1 float\n100", "p 1 0 float\n"));
     EXPECT_FALSE(read("p 1 1 float\n100", "p 2 1 float\n100 3"));
+}
+
+// Two by two cells of 0.1 m over half a metre of span, the lower ones full and one of the upper half full; the box takes the
+// right column, a quarter of the left one beside it, and the lower half of the upper cells.
+TEST_F(ReadTest, WaterInABoxIsThatOfTheCellsThatItHoldsAndOfTheirPartsThatItCuts) {
+    Scene scene = dam_break_scene();
+    scene.domain.box = {Vec3(0, 0, 0), Vec3(0.2, 0.5, 0.2)};
+    scene.water_blocks = {{Vec3(0, 0, 0), Vec3(0.2, 0.5, 0.1)}};
+    scene.sampling.raster.voxel = 0;
+    scene.sampling.volumes = {{"right", {Vec3(0.075, -infinite, -1), Vec3(1, infinite, 0.15)}}};
+    const CasePlan plan = plan_case(scene, Flavour{});
+    const auto field = [&](const fs::path& at, const std::string& of, const std::string& name,
+                           const std::string& list) {
+        fs::create_directories(folder / at);
+        std::ofstream(folder / at / name) << header("ascii", of) + "internalField   nonuniform List<" +
+                                                 (of == "volVectorField" ? "vector" : "scalar") + "> 4(" + list +
+                                                 "\n)\n;\n";
+    };
+    field("0", "volVectorField", "C", "(0.05 0.25 0.05)(0.15 0.25 0.05)(0.05 0.25 0.15)(0.15 0.25 0.15)");
+    field("0", "volScalarField", "V", "0.005 0.005 0.005 0.005");
+    field("0.02", "volScalarField", "alpha.water", "1 1 0 0.5");
+    field("0.02", "volVectorField", "U", "(0 0 0)(0 0 0)(0 0 0)(0 0 0)");
+    RunRecord record;
+    FrameReader(plan, folder).read({0.02, "0.02"}, SolverLog{}, record);
+    ASSERT_TRUE(record.series("volume", "right"));
+    EXPECT_NEAR(record.series("volume", "right")->values.at(0), 0.01 * (1 + 0.25 + 0.25), 1e-12);
+    EXPECT_EQ(record.series("volume", "right")->unit, "m3/m");
 }
 
 TEST(FrameReader, ContinuityOfAHeldHullIsWhatIsMadeWhileTheStreamPassesItOnce) {

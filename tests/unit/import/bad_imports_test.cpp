@@ -94,6 +94,8 @@ TEST_F(ImportTest, UnknownKeysAndProbesAreNamedWithTheKnownOnes) {
     EXPECT_TRUE(says(refusal("csv", "f.csv", columns + "[forces.fx]\ncolum = 2\n"), "[forces.fx] column: missing"));
     EXPECT_TRUE(says(refusal("csv", "f.csv", columns + "[height]\nH9 = 2\n"),
                      "scene.toml has no height probe of this name; expected one of: gauge"));
+    EXPECT_TRUE(says(refusal("csv", "f.csv", columns + "[volume]\nV9 = 2\n"),
+                     "scene.toml has no box; expected a [[volume]] with name = \"V9\" there"));
     EXPECT_TRUE(says(refusal("csv", "f.csv", "function_object = \"forces\"\n" + columns), "unknown section or key"));
     EXPECT_TRUE(says(refusal("openfoam", "f.csv", columns), "unknown section or key"));
     EXPECT_TRUE(says(refusal("starccm", "f.csv", columns), "expected one of: csv, openfoam, dualsphysics"));

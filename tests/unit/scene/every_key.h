@@ -91,6 +91,7 @@ inline std::map<std::string, Change> changes() {
                       swaying =
                           moved + "law = \"sinusoid\"\nalong = [1, 0, 0]\namplitude = 0.1\nperiod = 2\nphase = 0\n",
                       tabled = moved + "law = \"table\"\nalong = [1, 0, 0]\ntimes = [0, 1]\nvalues = [0, 0.1]\n";
+    const std::string boxed_water = tank + "[[volume]]\nname = \"behind\"\nmin = [0.8, 0, 0]\nmax = [1, 0.5, 2]\n";
     const std::string weighed =
         planing +
         "[[measured]]\nquantity = \"lift\"\nvalue = \"71.25 N\"\nuncertainty = \"3 N\"\nsource = \"Tank 3\"\n";
@@ -199,6 +200,9 @@ inline std::map<std::string, Change> changes() {
         {"water_block.min",
          replaced(tank, "min = [0, 0, 0]\nmax = [0.5, 0.5, 0.4]", "min = [0.1, 0, 0]\nmax = [0.5, 0.5, 0.4]")},
         {"water_block.max", replaced(tank, "max = [0.5, 0.5, 0.4]", "max = [0.4, 0.5, 0.4]")},
+        {"volume.name", replaced(boxed_water, "\"behind\"", "\"before\"")},
+        {"volume.min", replaced(boxed_water, "min = [0.8, 0, 0]", "min = [0.82, 0, 0]")},
+        {"volume.max", replaced(boxed_water, "max = [1, 0.5, 2]", "max = [1, 0.5, 0.7]")},
         {"measured.quantity", replaced(weighed, "\"lift\"", "\"drag\"")},
         {"measured.value", replaced(weighed, "71.25 N", "70 N")},
         {"measured.uncertainty", replaced(weighed, "3 N", "4 N")},

@@ -282,6 +282,12 @@ TEST(Scene, NonsenseIsRefusedAtTheKeyThatIsToBlame) {
         "[tank]\nsize = [1, 1, 1]\n[[water_block]]\nmin = [0, 0, 0]\nmax = [0.5, 1, 0.5]\n[resolution]\nnear_hull = "
         "0.1\n";
     blamed(tank + "[[probe]]\nheight = [0.2, 0.5]\nfilter = '-1 ms'\n", "scene.toml:10:10: [[probe]] filter = \"-1 ms\": out of range");
+    const std::string water_box = tank + "[[volume]]\nname = 'a'\nmin = [0, 0, 0]\nmax = ";
+    blamed(water_box + "[0.1, 0, 0.1]\n", "scene.toml:11:7: [[volume]] max = [0.1, 0, 0.1]: the box has no volume");
+    blamed(water_box + "[0.1, 1, 0.1]\n[[volume]]\nname = 'a'\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n",
+           "scene.toml:13:8: [[volume]] name = \"a\": the name a is taken; give every box its own");
+    blamed(tank + "[[volume]]\nmin = [0, 0, 3]\nmax = [1, 1, 4]\n",
+           "scene.toml:9:7: [[volume]] min = [0, 0, 3]: the box lies outside the domain");
     blamed(tank + "[[probe]]\nname = 'a'\nheight = [0.2, 0.5]\n[[probe]]\nname = 'a'\nheight = [0.3, 0.5]\n",
            "scene.toml:12:8: [[probe]] name = \"a\": the name a is taken; give every probe its own");
     blamed(
