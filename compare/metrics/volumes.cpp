@@ -21,12 +21,15 @@ namespace {
 
 bool is_volume(const std::string& table) { return table == volume_table; }
 
-/// A number of the box that the scene knows from its walls (scene/solids/sea_wall.h); NaN where no record has it.
-double of_wall(const Comparison& comparison, const char* what, const std::string& box) {
+/// The number `name` of the first record that has it; NaN: none.
+double first_known(const Comparison& comparison, const std::string& name) {
     for (const RunRecord& r : comparison.sources)
-        if (const double known = number_of(r, std::string("wall_") + what + "_" + box, NAN); std::isfinite(known))
-            return known;
+        if (const double known = number_of(r, name, NAN); std::isfinite(known)) return known;
     return NAN;
+}
+/// What the scene knows of the wall before a box (scene/solids/sea_wall.h); NaN: there is none.
+double of_wall(const Comparison& comparison, const char* what, const std::string& box) {
+    return first_known(comparison, fmt::format("wall_{}_{}", what, box));
 }
 
 /// The time that all records with such a table cover [s].
@@ -63,24 +66,17 @@ WaveTime wave_time(const Comparison& comparison) {
     return w;
 }
 
-/// The number `name` of the first record that has it; NaN: none.
-double asked_for(const Comparison& comparison, const char* name) {
-    for (const RunRecord& r : comparison.sources)
-        if (const double known = number_of(r, name, NAN); std::isfinite(known)) return known;
-    return NAN;
-}
-
 /// A regular wave counts as the sea of the same energy and period.
 void add_eurotop(Comparison& comparison, const std::string& box, const WaveTime& wave) {
-    const double height = wave.regular ? std::numbers::sqrt2 * asked_for(comparison, "wave_height")
-                                       : asked_for(comparison, "sea_significant_height");
+    const double height = wave.regular ? std::numbers::sqrt2 * first_known(comparison, "wave_height")
+                                       : first_known(comparison, "sea_significant_height");
     const double peak_over_mean = wave.regular ? 1 : 1.1;  // Tp / Tm-1,0 of a sea with one peak
     const WavesAtWall waves{height,
                             wave.period / peak_over_mean,
                             of_wall(comparison, "depth", box),
                             of_wall(comparison, "freeboard", box),
                             of_wall(comparison, "cot_slope", box),
-                            asked_for(comparison, "gravity")};
+                            first_known(comparison, "gravity")};
     const auto formula = eurotop_overtopping(waves);
     if (!formula) return;
     Reference r;
@@ -102,9 +98,9 @@ MeanValue rate_of(const RunRecord& r, const std::string& box, const WavePeriods&
     const std::vector<double>& t = r.tables.at(volume_table).time;
     std::vector<double> rates;
     for (int n = 0; n < periods.count; ++n) {
-        const double from = periods.from + n * periods.period,
-                     to = n + 1 < periods.count ? from + periods.period : periods.from + periods.count * periods.period;
-        const double gain = value_at(t, c->values, std::min(to, t.back())) - value_at(t, c->values, from);
+        const double from = periods.from + n * periods.period, to = from + periods.period,
+                     gain = value_at(t, c->values, std::min(to, t.back())) -
+                            value_at(t, c->values, std::max(from, t.front()));  // they differ by rounding at most
         if (std::isfinite(gain)) rates.push_back(gain / periods.period / width);
     }
     MeanValue mean = mean_over(rates, periods);
