@@ -47,6 +47,9 @@ public:
     const std::vector<Part>& parts() const { return parts_; }
 
     bool move() const { return !velocity_.empty(); }  ///< some body is not fixed
+    /// Whether the walls nearest to particles are found anew while lists are kept (docs/decisions/060): else bodies that
+    /// move make energy. Not where none moves, and not of elastic ones, whose surface is noted with the lists alone.
+    bool found_at_every_step() const { return move() && !any_deformable(); }
     /// The largest speed of a dummy now [m/s].
     double fastest() const;
     bool any_deformable() const { return any_deformable_; }  ///< some body changes its shape

@@ -49,7 +49,7 @@ void Level::refresh(double drift) {
         ++timers_.rebuilds;
         life.slack = system_.slack_of_lists();
         steps_->make_lists(drift);
-        life.travel = life.travel_in_stream = life.wall_travel = life.age = 0;
+        life.travel = life.travel_in_stream = life.wall_travel = life.since_walls = 0;
         life.over = false;
         return;
     }
@@ -59,6 +59,9 @@ void Level::refresh(double drift) {
     }
     const Stopwatch watch(timers_.pruning);
     steps_->prune(drift);
+    if (!system_.walls.found_at_every_step()) return;
+    steps_->find_walls();
+    life.since_walls = 0;
 }
 
 // --- an evaluation of the rates: what is summed in it, in which order, is pair_loops/right_hand_side.h

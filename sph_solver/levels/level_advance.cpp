@@ -212,7 +212,7 @@ void Level::note_travel(const OfAllParts& all, const Schedule::Move& move, doubl
     life.travel_in_stream +=
         drifted * std::sqrt(all.sums.relative2_before) + drift * life.relative_speed + shift_travel;
     life.wall_travel += drifted * system_.wall_speed + drift * system_.walls.fastest();
-    life.age += dt;
+    life.since_walls += dt;
     life.travel += drifted * speed_before + drift * system_.extremes.speed + shift_travel;
 }
 

@@ -44,7 +44,7 @@ void LevelOnDevice::make_lists(double drift) {
         for (Arrays::Part& part : on.parts)
             part.lists.build(level_.grid, level_.grid, on.wall_place.data() + part.first, part.pencil, part.clusters,
                              water, to_walls / level_.fixed_point.size);
-        find_walls(to_walls);
+        list_walls(to_walls);
     }
     if (shared()) note_work();
     on_host_ = order_on_host_ = false;
@@ -238,7 +238,7 @@ void LevelOnDevice::find_images(double reach) {
     cuda::launch(*device_, cuda::ReorderLinks{on.image_order.order(), on.found.data(), on.links.data()}, count);
 }
 
-void LevelOnDevice::find_walls(const Reaches& reaches) {
+void LevelOnDevice::list_walls(const Reaches& reaches) {
     Arrays& on = *on_;
     Walls& walls = level_.walls;
     std::vector<cuda::DeviceSource> dummies;
@@ -274,13 +274,13 @@ void LevelOnDevice::find_walls(const Reaches& reaches) {
     level_.near.clusters.clear(), centres_.clear();
     for (const cuda::ClusterAtWall& g : on_host)
         level_.near.clusters.push_back(g.cluster), centres_.emplace_back(g.x, g.y, g.z);
-    ask_walls(at_walls);
+    find_walls();
 }
 
 /// The host finds the wall nearest to each particle of the clusters at walls.
-void LevelOnDevice::ask_walls(std::size_t clusters) {
+void LevelOnDevice::find_walls() {
     Arrays& on = *on_;
-    const std::size_t asked = clusters * cuda::lanes_of_cluster;
+    const std::size_t asked = on.clusters_at_walls.size() * cuda::lanes_of_cluster;
     cuda::launch(*device_, cuda::NoWalls{on.p.all()}, on.p.size());
     on.near_walls.resize(asked), on.walls_found.resize(asked);
     cuda::launch(*device_,

@@ -63,7 +63,7 @@ void LevelOnProcessor::make_lists(double drift) {
     if (!level_.walls.empty()) {
         level_.walls.find_neighbours(level_.passes, level_.grid, level_.fixed_point, level_.near.clusters, own,
                                      to_walls, share_.own_pencils());
-        find_normals();
+        find_walls();
     }
     if (!shared) return;
     std::vector<int> work;
@@ -71,7 +71,7 @@ void LevelOnProcessor::make_lists(double drift) {
     share_.note_work(work);
 }
 
-void LevelOnProcessor::find_normals() {
+void LevelOnProcessor::find_walls() {
     const double reach = level_.reach_of_normals();
     Particles& p = level_.particles;
     const FieldsView all = p.view();

@@ -32,6 +32,7 @@ public:
     void make_lists(double drift) override;
     void pack_state() override;
     void prune(double drift) override;
+    void find_walls() override;
     std::int64_t live_pairs() const override;
     Near find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) override;
 
@@ -87,8 +88,7 @@ private:
     void note_work();
     void sort_particles(const std::uint8_t* left);
     void find_images(double reach);
-    void find_walls(const Reaches& reaches);
-    void ask_walls(std::size_t clusters);
+    void list_walls(const Reaches& reaches);
     void refresh_images(double t, bool with_stress);
     void fetch(const std::vector<std::int32_t>& particles);
     void put_back(const std::vector<std::int32_t>& held);  ///< after the host has held them

@@ -23,6 +23,7 @@ public:
     void make_lists(double drift) override;
     void pack_state() override;
     void prune(double drift) override;
+    void find_walls() override;
     std::int64_t live_pairs() const override;
     Near find_neighbours(StepMaker& other, const Reaches& reaches, RoomForLists& room) override;
 
@@ -63,7 +64,6 @@ public:
 private:
     /// Where neighbours among the particles and images are looked for.
     std::vector<Source> sources() const;
-    void find_normals();
     void interpolate_here(FieldsAt& at);
     std::vector<std::size_t> own_of_kind(bool (*of)(Kind)) const;
 

@@ -124,7 +124,7 @@ SecondPairLoopData ParticleSystem::second_pair_loop_data(double t) {
     return {.water = water_view(),
             .walls = wall_view(),
             .leaving = particles.wall_leaving.data(),
-            .since_lists = static_cast<float>(near.life.age),
+            .since_walls = static_cast<float>(near.life.since_walls),
             .shift = particles.shift_support.data(),
             .rate = particles.rate.data(),
             .wall_load = walls.cluster_loads().data(),
@@ -231,6 +231,10 @@ StepView ParticleSystem::step_view(double t, const Halo& halo) {
 }
 
 double ParticleSystem::slack_of_lists() const {
+    // Edges between sizes are mended, and some walls found, when lists are made: that must not be long ago.
+    const bool old_walls = !walls.empty() && !walls.found_at_every_step();
+    if (particles.has(With::coarser) || particles.has(With::finer) || old_walls)
+        return ListLife::least_slack_over_dp * setup.dp;
     return ListLife::slack_for(setup.dp, 2 * dt * near.life.relative_speed, dt * (extremes.speed + walls.fastest()));
 }
 

@@ -49,6 +49,7 @@ public:
     virtual void make_lists(double drift) = 0;
     virtual void pack_state() = 0;
     virtual void prune(double drift) = 0;         ///< lists kept, with those within reach during the drift
+    virtual void find_walls() = 0;                ///< nearest to particles, lists kept; make_lists finds them too
     virtual std::int64_t live_pairs() const = 0;  ///< that the pair loops visit
     /// Those of its clusters that have particles of another level within reach [m], with lists of these as
     /// Cluster::list.

@@ -28,7 +28,7 @@ struct ListLife {
     double travel = 0, travel_in_stream = 0;  ///< of particles [m]
     double wall_travel = 0;                   ///< of walls [m]
     double relative_speed = 0;                ///< largest one relative to the stream after the last step [m/s]
-    double age = 0;                           ///< [s]
+    double since_walls = 0;                   ///< since the walls nearest to particles were found [s]
     bool over = true;                         ///< the lists have to be made anew
 };
 

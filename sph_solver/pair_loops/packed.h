@@ -60,7 +60,7 @@ struct alignas(16) PackedWallNormal {
 inline constexpr PackedWallNormal no_wall{0, 0, 0, 1e30f};
 
 /// The velocity past the nearest wall of a particle before or beyond an edge [m/s], zero elsewhere, and when it passes
-/// that edge, from the moment on at which the lists were made [s].
+/// that edge, from the moment on at which the nearest wall was found [s].
 struct alignas(16) PackedLeaving {
     float u, v, w, passes;
 };

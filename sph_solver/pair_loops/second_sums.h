@@ -65,7 +65,7 @@ struct SecondSums {
             const PackedLeaving& way = d.leaving[own];
             const float speed2 = way.u * way.u + way.v * way.v + way.w * way.w;
             if (speed2 == 0) return;
-            const bool past = way.passes <= d.since_lists;
+            const bool past = way.passes <= d.since_walls;
             if (past && (d.water.surface[own / 32] >> (own % 32) & 1) == 0) return;
             const float share = released_share(d.water.stress[own].p, d.water.rho0, speed2) / speed2;
             edge_release.w.x[l] = way.u, edge_release.w.y[l] = way.v, edge_release.w.z[l] = way.w;

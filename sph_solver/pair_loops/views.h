@@ -73,7 +73,7 @@ struct SecondPairLoopData {
     WaterView water{};
     WallView walls{};
     const PackedLeaving* leaving = nullptr;  ///< of the particles, see edge_release.h; null: none leaves an edge
-    float since_lists = 0;                   ///< age of the lists [s]
+    float since_walls = 0;                   ///< since the nearest walls were found [s]
     PackedShiftSupport* shift = nullptr;     ///< turned along the free surface
     PackedRate* rate = nullptr;              ///< gets the acceleration, and as drho what is not compression
     WallLoad* wall_load =

@@ -202,15 +202,15 @@ double energy_of_body(const Simulation& s) {
            body.spin().dot(body.state().angular_momentum) / 2;
 }
 
-/// A heavy circle that hits the water: what one side loses the other gains or turns into heat, and the sum rises by no
-/// more than 0.2 % of what the two exchange (found: 0.04 %). A light one that rises from rest makes more, because walls
-/// of dummies do work (docs/results/numerics.md).
+/// A heavy circle that hits the water, and a light one that rises from rest: what one side loses the other gains or turns
+/// into heat, and the sum rises by no more than a small share of what the two exchange (found: 0.01 and 0.16 %). With
+/// the nearest walls as old as the lists it rose by 0.1 and 6 %.
 TEST(Bodies, AndWaterTogetherMakeNoEnergy) {
     SimulationSetup heavy = tank(0.01, 0.3, 0.3, 0.3, 30), light = tank(0.01, 0.4, 0.5, 0.2, 30);
     heavy.bodies = {circle_body(0.1, -0.005, 1370)};
     heavy.bodies[0].moving->velocity = Vec3(0, 0, -3);
     light.bodies = {circle_body(0.1, 0.3, 100)};
-    for (const auto& [s, end, bound] : {std::tuple{heavy, 0.12, 0.002}, {light, 0.25, 0.1}}) {
+    for (const auto& [s, end, bound] : {std::tuple{heavy, 0.12, 0.0005}, {light, 0.25, 0.01}}) {
         Simulation run(s, water(s));
         const double start = energy_of_water(run) + energy_of_body(run);
         double least = start, risen = 0, low = energy_of_body(run), high = low;
@@ -223,7 +223,7 @@ TEST(Bodies, AndWaterTogetherMakeNoEnergy) {
         }
         std::printf("exchanged %.2f J/m, lost %.3f, gained at most %.4f\n", high - low, start - least, risen);
         EXPECT_LT(risen, bound * (high - low));
-        EXPECT_LT(start - least, high - low) << "or the two do not belong together";
+        EXPECT_LT(start - least, 2 * (high - low)) << "or the two do not belong together";
     }
 }
 
