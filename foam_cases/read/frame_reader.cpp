@@ -169,9 +169,11 @@ void FrameReader::read_water(const TimeFolders::Moment& moment, const SolverLog&
             volume += water;
             level.add(part.centres[i], part.volumes[i], water);
             if (to_raster) raster.pour_cell(part.centres[i], part.volumes[i], water);
-            for (std::size_t b = 0; b < in_boxes.size(); ++b)
-                in_boxes[b] += water * share_in_box(scene.sampling.volumes[b].box, part.centres[i],
-                                                    edges_of_cell(part.volumes[i], scene));
+            if (!in_boxes.empty()) {
+                const Vec3 edges = edges_of_cell(part.volumes[i], scene);
+                for (std::size_t b = 0; b < in_boxes.size(); ++b)
+                    in_boxes[b] += water * share_in_box(scene.sampling.volumes[b].box, part.centres[i], edges);
+            }
             if (share <= 1e-6) continue;
             const double v2 = speed.vector(i).squaredNorm();
             kinetic += 0.5 * density * water * v2;

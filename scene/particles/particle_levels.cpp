@@ -19,7 +19,6 @@ namespace tw {
 
 namespace {
 
-constexpr double between = 10, from_openings = 8;  ///< spacings, at the scene's own size
 /// Of the margin of a grid of distances beyond its zone: further than the buffers of the zone reach [coarse spacings].
 constexpr double known_beyond = 8;
 /// Of the grid of distances from a hull: of a run, and where particles are only counted.
@@ -29,6 +28,8 @@ constexpr double most_nodes = 5e6, most_counted_nodes = 5e5;
 /// wide in metres as those of the scene, so that runs of several sizes are similar and the coarser ones cheap
 /// (docs/decisions/031-levels.md); coarser ones keep half as many spacings, finer ones 1.41 times as many.
 double narrowing(const Scene& scene) { return std::clamp(1 / scene.resolution.scale, 0.5, std::numbers::sqrt2); }
+double between(const Scene& scene) { return 10 * narrowing(scene); }       ///< two edges [spacings of the level]
+double from_openings(const Scene& scene) { return 8 * narrowing(scene); }  ///< of an edge, and boxes' [coarse spacings]
 
 /// What finer particles stand round.
 struct Root {
@@ -61,7 +62,7 @@ std::vector<Root> roots(const Scene& scene, std::span<const MovedSolid> moving) 
 Box zone_box(const Root& what, double width, double coarse_dp, const Scene& scene) {
     const Box& domain = scene.domain.box;
     const bool stream = scene.motion.kind == Motion::Kind::stream;
-    const double clear = (from_openings * narrowing(scene) - 1e-3) * coarse_dp;  // less: faces of two lattices meet
+    const double clear = (from_openings(scene) - 1e-3) * coarse_dp;  // less: faces of two lattices meet
     Box box{what.box.min - Vec3::Constant(width), what.box.max + Vec3::Constant(width)};
     if (!what.moves) {
         box.min = (box.min / coarse_dp).array().floor() * coarse_dp;
@@ -150,7 +151,7 @@ std::vector<std::vector<Box>> boxes_round(const std::vector<Root>& solids, const
         const double coarse_dp = std::ldexp(dp, k);
         std::vector<Box>& of_size = boxes.emplace_back();
         for (const Root& solid : solids) of_size.push_back(zone_box(solid, width, coarse_dp, scene));
-        width += between * narrowing(scene) * coarse_dp;
+        width += between(scene) * coarse_dp;
     }
     if (has_coarse_zones(scene)) boxes.push_back({between_forcing_zones(scene)});
     return boxes;
@@ -185,7 +186,7 @@ int zones_that_fit(const Scene& scene, const std::vector<Root>& solids, const st
         double x = solids[i].box.min.x(), dp = scene.resolution.near_hull;
         for (int k = 0; k < fit; ++k, dp *= 2) {
             const Box& box = boxes[static_cast<std::size_t>(k)][i];
-            if (stream ? box.min.x() > x - from_openings * narrowing(scene) * dp
+            if (stream ? box.min.x() > x - from_openings(scene) * dp
                        : fills_the_domain(box, scene) || !fills_the_water(scene, 2 * dp, dp))
                 fit = k;
             x = box.min.x();
@@ -299,7 +300,7 @@ std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> movin
             }
         }
         const Box first = boxes.front().box;
-        join_near(boxes, from_openings * narrowing(scene) * coarse_dp);
+        join_near(boxes, from_openings(scene) * coarse_dp);
         std::vector<Box> parts;
         for (const ZoneBox& b : boxes) parts.push_back(b.box);
         const bool alone = k > below && first.min == parts.front().min && first.max == parts.front().max;
@@ -315,7 +316,7 @@ std::vector<Zone> zones_of(const Scene& scene, std::span<const MovedSolid> movin
                               scene.hull_is_free() ? moving.front().way : Eigen::Isometry3d::Identity()));
         }
         for (int size = 0; size < k && size < finer; ++size)
-            reach[static_cast<std::size_t>(size)] += between * narrowing(scene) * coarse_dp;
+            reach[static_cast<std::size_t>(size)] += between(scene) * coarse_dp;
     }
     return zones;
 }

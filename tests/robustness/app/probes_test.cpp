@@ -8,9 +8,11 @@ namespace tw::test {
 namespace probes_test {
 
 // A column falls and strikes the wall beside it after about 0.2 s: for some tens of milliseconds P1 feels it.
+/// Beside a solid that stands, here out of the water's reach, neighbours are found at nearly every step of such a fall.
+/// Else a frame, at which they are found as well, changes last digits and with them the splash: the peak by 8 %.
 std::string struck_wall(const std::string& interval) {
-    return falling_column("struck wall", "duration = 0.4", "[0.4, 0.1, 0.02]") + "[sampling]\ninterval = " + interval +
-           "\n";
+    return falling_column("struck wall", "duration = 0.4", "[0.4, 0.1, 0.02]") +
+           "[[obstacle]]\nmin = [0, 0, 0.36]\nmax = [0.1, 0.2, 0.4]\n[sampling]\ninterval = " + interval + "\n";
 }
 
 TEST_F(Command, AParticleRunsPressurePeakIsTheSameWhateverItsFramesAre) {
@@ -28,8 +30,7 @@ TEST_F(Command, AParticleRunsPressurePeakIsTheSameWhateverItsFramesAre) {
     EXPECT_EQ(peaks[1]["label"], peaks[0]["label"]);
     const double often = peaks[0]["values"][0], seldom = peaks[1]["values"][0];
     EXPECT_GT(often, 10e3) << "the wall is struck";  // rho g 0.2 m is 2 kPa
-    // Every step is a sample. At a frame neighbours are found anew, in another order, and last digits make splashes differ.
-    EXPECT_NEAR(seldom / often, 1, 0.2);
+    EXPECT_NEAR(seldom / often, 1, 1e-4);  // steps shorter than half a millisecond: a frame is one more sample
 }
 
 }  // namespace probes_test
