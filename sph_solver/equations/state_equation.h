@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #ifdef TW_THREADS
@@ -47,6 +48,22 @@ struct StateEquation {
             }
         }
         return 0;
+    }
+    /// Density deviation of an even lattice of particles of mass m at rest under the pressure p of incompressible water,
+    /// whose gradient its weight balances. Its pair sums leave out that a volume m/rho is smaller than its cell m/rho0:
+    ///
+    ///   -1/rho_i sum_j (p_i + p_j) grad_i W_ij m/rho_j  ->  -rho0 grad(p / rho^2)
+    ///
+    /// so it rests where p(rho) (rho0/rho)^2 is the pressure of incompressible water; by p (1 + 2 k), k = p/(rho0 c0^2), to
+    /// the first order. With the density of `deviation` the water below sags, and in a stream the rise of pressure from
+    /// the inlet on slows it down, by 7 mm of head in 1.3 m of water at c0 = 40 m/s.
+    float deviation_of_lattice(double rho0, double p) const {
+        double drho = deviation(rho0, p);
+        for (int i = 0; i < 30; ++i) {
+            const double ratio = std::min(1 + drho / rho0, 1.5);  // no lattice bears more than a quarter of rho0 c0^2
+            drho = deviation(rho0, p * ratio * ratio);
+        }
+        return static_cast<float>(drho);
     }
 #endif
 

@@ -63,7 +63,7 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
                                                                            : Kind::fluid;
         particles.add(p.x(), p.y(), p.z(),
                       static_cast<float>(stream_velocity(0) * (around.stream ? around.stream->share_at(p.x()) : 1)),
-                      setup.state_equation.deviation(setup.rho0, depth_pressure), ledger.next_id++, kind);
+                      setup.state_equation.deviation_of_lattice(setup.rho0, depth_pressure), ledger.next_id++, kind);
     }
     ledger.next_id = ranks().sum(ledger.next_id);  // the first rank has all
     for (std::size_t i = 0; i < fluid.velocity.size(); ++i) {

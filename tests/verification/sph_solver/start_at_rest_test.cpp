@@ -131,14 +131,30 @@ TEST(StartAtRest, FloorPressureIsRightFromTheFirstStepAndDoesNotRing) {
         }
         std::printf("  %-26s %.3f; %.3f %.3f; %.3f %.3f; %.1e\n", c.name, first, least, most, later_least, later_most,
                     kinetic);
-        EXPECT_NEAR(first, 1, 0.01) << c.name;
-        EXPECT_GT(least, 0.97) << c.name;
+        // Particles of equal mass in equal cells rest under 1 + 2 g H/c0^2 of the pressure at the floor, 1.02 with c0 = 10
+        // sqrt(g H) (StateEquation::deviation_of_lattice). Seams of lattices that do not fit still move a little.
+        EXPECT_NEAR(first, 1.02, 0.003) << c.name;
+        EXPECT_GT(least, 1.01) << c.name;
         EXPECT_LT(most, 1.03) << c.name;
-        // The water of c0 = 10 sqrt(g H) sinks until it is 1 % denser at its floor: a single block does so too.
-        EXPECT_GT(later_least, 0.95) << c.name;
-        EXPECT_LT(later_most, 1.07) << c.name;
-        EXPECT_LT(kinetic, 1e-4) << c.name;
+        EXPECT_GT(later_least, 0.97) << c.name;
+        EXPECT_LT(later_most, 1.06) << c.name;
+        EXPECT_LT(kinetic, 1e-5) << c.name;
     }
+}
+
+// Water that begins at rest stays there from the first step on, however much denser it is at its floor: 2.5 % here. With
+// the density of rho g z it falls with up to a tenth of g at its floor.
+TEST(StartAtRest, DeepWaterHasNoAcceleration) {
+    SimulationSetup s = tank(cases().front());
+    s.state_equation.c0 = std::sqrt(g * 0.3 / 0.025);
+    Simulation simulation(s, fill_with_fluid(s, {block(0, 0, 0.4, 0.3)}));
+    simulation.step();
+    const Particles& p = simulation.particles();
+    double worst = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        if (p.z[i] > 4 * dp && p.z[i] < 0.3 - 4 * dp) worst = std::max(worst, std::abs(double(p.w[i])));
+    std::printf("largest acceleration of deep water in the first step over g: %.4f\n", worst / simulation.time() / g);
+    EXPECT_LT(worst / simulation.time() / g, 0.01);
 }
 
 // Two levels that communicate are let go: neither is at rest, and the pressure is that of incompressible water.
