@@ -90,6 +90,7 @@ struct Reference {
     std::string remark;
     bool in_range = true;     ///< of the formula; outside it is a hint at most
     bool of_one_run = false;  ///< it takes something from a run, as its wetted length: shown in the table alone
+    bool measured = false;    ///< as the scene says, at the scene's own speed and attitude
     std::string bias = {};    ///< how far measurements lie from it, for the end of a sentence; empty: not known
 };
 
@@ -132,7 +133,10 @@ struct Comparison {
     std::vector<std::string>
         banners;                 ///< warnings that stand on top of the report, see all_banners in metrics/box_walls.h
     std::string walls;           ///< what those of its box do to the loads (metrics/box_walls.h); empty: little
+    std::vector<std::string>
+        tuned;                   ///< what was chosen by looking at results, a sentence each; the last of the banners
     double agree_within = 0.05;  ///< [-]
+    double study_seconds = 0;    ///< wall time of all runs of the study [s]; 0: not known
     std::string discretisation_from;  ///< "runs of 3 sizes", "the coarser runs of prism, 6 m/s"; empty: not estimated
 
     const Quantity* find(const std::string& name) const;

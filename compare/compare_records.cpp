@@ -112,10 +112,13 @@ void add_state_banners(Comparison& comparison) {
                         method_label(comparison.names[i]), r.state, r.reason.empty() ? "" : ": ", r.reason,
                         comparison.sources.size() > 1 ? "compared" : "shown"));
     }
+}
+
+void add_tuned(Comparison& comparison) {
     for (std::size_t i = 0; i < comparison.sources.size(); ++i) {
         const std::string calibrated = text_of(comparison.sources[i], "calibrated");
         if (!calibrated.empty() && calibrated != "none")
-            comparison.banners.push_back(
+            comparison.tuned.push_back(
                 fmt::format("{} was tuned: {}. Agreement with the data used for that is no validation.",
                             method_label(comparison.names[i]), calibrated));
     }
@@ -178,7 +181,12 @@ void add_savitsky(Comparison& comparison) {
     // a hull that would have to be longer than it is does not plane on a prism
     const auto length = first.numbers.find("length");
     if (length != first.numbers.end() && s.keel_wetted_length > length->second) return;
-    const std::string range = s.in_range ? "empirical, about ±10 %" : "outside the formula's range: a hint at most";
+    constexpr double told = 0.01;  // of the bottom
+    const std::string range =
+        (s.in_range ? "empirical, about ±10 %" : "outside the formula's range: a hint at most") +
+        (hull->bow > told
+             ? fmt::format("; a bow of another shape is {:.1f} % of the bottom below still water", 100 * hull->bow)
+             : std::string());
     const std::string source = "Savitsky 1964";
     const auto add = [&](const char* quantity, double value, const std::string& remark) {
         comparison.references.push_back({quantity, "N", source, value, 0.1 * std::abs(value), remark, s.in_range});
@@ -237,6 +245,7 @@ void add_measured(Comparison& comparison) {
             {m.quantity, q->unit, fmt::format("the measured value ({})", m.source), m.value / unit.factor,
              m.half_width / unit.factor,
              m.half_width > 0 ? "± is that of the measurement" : "the measurement's uncertainty is not known"});
+        comparison.references.back().measured = true;
     }
 }
 
@@ -256,6 +265,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     check_units(comparison);
     add_unknown_methods(comparison);
     add_state_banners(comparison);
+    add_tuned(comparison);
     const Vec3 reference = moment_reference_of(comparison.sources.front());
     for (RunRecord& record : comparison.sources) {
         crop_to_domain(record);

@@ -152,11 +152,11 @@ private:
         if (ranks_.many()) fresh.attributes["ranks"] = std::to_string(ranks_.size());
         fresh.attributes["isa"] = simulation_->passes().isa;
         fresh.attributes["calibrated"] =
-            "from which share of neighbours on (0.9 to 1 of a full set) water is compressed at a wall, on "
-            "planing_prism "
-            "at beam/12, and (0.8 to 0.9, with a plane surface's missing half counted) at a surface, on the potential "
-            "energy of sloshing and the reflection of a wave at an edge of two sizes; how strongly particles are "
-            "shifted, on a planing plate, jets that meet, an elliptic drop and Taylor-Green vortices";
+            "how full of neighbours a kernel has to be before water is compressed at a wall (on planing_prism, "
+            "beam/12) "
+            "and at a surface (on sloshing, and a wave at an edge of two sizes); how strongly particles are shifted "
+            "(on "
+            "a planing plate, meeting jets, an elliptic drop, Taylor-Green vortices)";
         fresh.numbers["spacing"] = scene_.resolution.near_hull;
         fresh.numbers["wall_particles"] = double(simulation_->finest().system().walls.size());
         if (const int sizes = sizes_of_particles(scene_); sizes > 1) {

@@ -164,7 +164,8 @@ void add_hull_checks(CheckList& list) {
                                        "pressure drag, and the lift beside them is too low",
                                        100 * pocket->of_drag)
                          : ""));
-    if (const auto hull = prismatic_hull(record)) {
+    constexpr double of_equal_sections = 0.01;
+    if (const auto hull = prismatic_hull(record); hull && hull->bow <= of_equal_sections) {
         const auto drag = time_mean(record, "forces", "fx_pressure"), lift = time_mean(record, "forces", "fz_pressure");
         const double expected = lift.value_or(0) * std::tan(hull->state.trim);
         if (drag && expected > 0)

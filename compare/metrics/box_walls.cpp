@@ -20,6 +20,7 @@ void add_box(Comparison& c) {
 std::vector<std::string> all_banners(const Comparison& c) {
     std::vector<std::string> banners = c.banners;
     if (!c.walls.empty()) banners.push_back("Values are those of this box, not of open water: " + c.walls + ".");
+    banners.insert(banners.end(), c.tuned.begin(), c.tuned.end());
     return banners;
 }
 

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "record/record_numbers.h"
+#include "meshes/below_water.h"
 #include "record/hull_motion.h"
 #include "record/planing_plate.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 
@@ -29,35 +30,43 @@ std::optional<PrismaticHull> prismatic_hull(const RunRecord& record) {
 
     // Bow up turns the hull's own x axis (to the stern) downward: body axes e_x = (cos, 0, -sin), e_z = (sin, 0, cos).
     const Vec3 e_x(std::cos(trim), 0, -std::sin(trim)), e_z(std::sin(trim), 0, std::cos(trim));
-    double area = 0, deadrise = 0, y_min = 0, y_max = 0;
-    std::vector<std::pair<double, Vec3>> bottom;  // area, unit normal in body axes
+    struct Face {
+        double area, deadrise;  // below still water [m2], [rad]
+        Vec3 normal;            // in body axes
+    };
+    double area = 0, y_min = 0, y_max = 0;
+    std::vector<Face> bottom;
     for (int t = 0; t < static_cast<int>(record.hull.triangles.size()); ++t) {
         const Vec3 a2 = record.hull.area_vector2(t);
-        const double twice = a2.norm();
-        if (!(twice > 0)) continue;
+        const double twice = a2.norm(), wet = twice > 0 ? twice / 2 * share_below_water(record.hull, t) : 0;
+        if (!(wet > 0)) continue;
         const Vec3 n(a2.dot(e_x) / twice, a2.y() / twice, a2.dot(e_z) / twice);
-        const double lowest =
-            std::min({record.hull.corner(t, 0).z(), record.hull.corner(t, 1).z(), record.hull.corner(t, 2).z()});
-        if (n.z() > -0.02 || lowest >= 0) continue;  // upright (side, transom), or dry
-        bottom.emplace_back(twice, n);
-        area += twice;
-        deadrise += twice * std::atan2(std::abs(n.y()), -n.z());
+        if (n.z() > -0.02) continue;  // upright: side, transom
+        bottom.push_back({wet, std::atan2(std::abs(n.y()), -n.z()), n});
+        area += wet;
         for (int k = 0; k < 3; ++k) {
             y_min = std::min(y_min, record.hull.corner(t, k).y());
             y_max = std::max(y_max, record.hull.corner(t, k).y());
         }
     }
     if (!(area > 0)) return {};
-    deadrise /= area;
+    // Of the middle of the area: a bow of another angle does not change it.
+    std::ranges::sort(bottom, {}, &Face::deadrise);
+    double deadrise = 0, passed = 0;
+    for (const Face& f : bottom) {
+        deadrise = f.deadrise;
+        if ((passed += f.area) >= area / 2) break;
+    }
     constexpr double steepest = 0.7;  // [rad], 40 degrees: a planing bottom, and inside the formula's data
     if (deadrise > steepest) return {};
     constexpr double tolerance = 0.01;  // of a unit normal: about half a degree
     double otherwise = 0;               // area that faces elsewhere
-    for (const auto& [a, n] : bottom) {
-        const Vec3 expected(0, std::copysign(std::sin(deadrise), n.y()), -std::cos(deadrise));
-        if ((n - expected).norm() > tolerance) otherwise += a;
+    for (const Face& f : bottom) {
+        const Vec3 expected(0, std::copysign(std::sin(deadrise), f.normal.y()), -std::cos(deadrise));
+        if ((f.normal - expected).norm() > tolerance) otherwise += f.area;
     }
-    if (otherwise > 1e-2 * area) return {};
+    hull.bow = otherwise / area;
+    if (hull.bow > largest_bow) return {};
     s.deadrise = deadrise;
     s.beam = y_max - y_min;
     return hull;

@@ -52,6 +52,19 @@ std::string how_far(const Quantity& q, const Miss& miss) {
                                     : "off");
 }
 
+/// What the scene gives as measured of the same quantity; null: nothing.
+const Reference* measured_beside(const Comparison& c, const Reference& formula) {
+    const auto found = std::ranges::find_if(
+        c.references, [&](const Reference& r) { return r.measured && r.quantity == formula.quantity; });
+    return found == c.references.end() || formula.measured ? nullptr : &*found;
+}
+
+/// " (measured: 13 % above)", of a measurement from a formula.
+std::string measured_from(const Reference& measured, const Reference& formula) {
+    const double E = measured.value / formula.value - 1;
+    return fmt::format(" (measured: {:.0f} % {})", 100 * std::abs(E), E > 0 ? "above" : "below");
+}
+
 /// "the walls of the box (...) are expected to raise the lift by 12 %", without what a wider box would leave, or what
 /// was measured in one.
 std::string walls_of(const Comparison& c) { return c.walls.substr(0, c.walls.find(';')); }
@@ -73,6 +86,7 @@ std::vector<Doubt> missed_references(const Comparison& c) {
         std::string source, who;
         bool all;
         std::string quantities = {}, bias = {};
+        bool measured = false;  // a measurement stands beside it, which decides what is grave
     };
     std::vector<Line> lines;
     for (const Quantity& q : c.quantities)
@@ -85,6 +99,8 @@ std::vector<Doubt> missed_references(const Comparison& c) {
                 lines, [&](const Line& l) { return l.source == r.source && l.who == miss.who && l.all == all; });
             if (line == lines.end()) line = lines.insert(line, {r.source, miss.who, all});
             line->quantities += (line->quantities.empty() ? "" : ", ") + how_far(q, miss);
+            if (const Reference* m = measured_beside(c, r))
+                line->quantities += measured_from(*m, r), line->measured = true;
             if (!r.bias.empty()) line->bias = r.bias;
         }
     std::ranges::stable_sort(lines, {}, [](const Line& l) { return !l.all; });
@@ -93,10 +109,11 @@ std::vector<Doubt> missed_references(const Comparison& c) {
         const bool several = l.who.find(" and ") != std::string::npos;
         std::string text = fmt::format("{} {} outside {}: {}", l.all && c.sources.size() == 2 ? "Both methods" : l.who,
                                        several ? "lie" : "lies", l.source, l.quantities);
-        const std::string walls = walls_of(c), own = l.bias.empty() ? "" : at_own_wetted_length(c);
+        const std::string walls = doubts.empty() ? walls_of(c) : "",
+                          own = l.bias.empty() ? "" : at_own_wetted_length(c);
         for (const std::string& why : {l.bias, walls, own})
             if (!why.empty()) text += "; " + why;
-        doubts.push_back({l.all, text + "."});
+        doubts.push_back({l.all && !l.measured, text + "."});
     }
     return doubts;
 }

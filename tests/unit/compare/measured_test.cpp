@@ -35,6 +35,17 @@ TEST(MeasuredReference, HasTheUnitOfItsQuantityAndSaysWhoMissesIt) {
     }));
 }
 
+// Savitsky's formula gives 2334 N.
+TEST(MeasuredReference, DecidesWhetherItIsGraveThatAFormulaIsMissed) {
+    const auto first = [](const std::vector<RunRecord>& runs) { return doubts_of(compare_records(runs)).front(); };
+    std::vector<RunRecord> runs = {synthetic_run({.lift = 3000}), synthetic_run({.method = "fvm", .lift = 3131})};
+    EXPECT_TRUE(first(runs).grave);
+    for (RunRecord& r : runs) note_measured(r, {"lift", "N", "Tank 3", 2800, 400});
+    const Doubt doubt = first(runs);
+    EXPECT_FALSE(doubt.grave) << doubt.text;
+    EXPECT_NE(doubt.text.find("lift 29 to 34 % above (measured: 20 % above)"), std::string::npos) << doubt.text;
+}
+
 TEST(MeasuredReference, OfNoQuantityOrInAnotherUnitIsSaid) {
     for (const MeasuredValue& wrong : {MeasuredValue{"lft", "N", "Tank 3", 2390, 0},
                                        {"lift", "m", "Tank 3", 2390, 0},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "compare/compare.h"
 #include "compare/reference/planing.h"
 #include "tests/data_table.h"
 #include "tests/unit/compare/synthetic_pair.h"
@@ -124,6 +125,34 @@ TEST(PrismaticHull, OneWhoseDeadriseGrowsForwardGetsNoFormulaHoweverSmallItsTria
     for (Vec3& x : r.hull.points)
         x.z() += 0.2 * std::abs(x.y()) * (bounds.max.x() - x.x()) / bounds.size().x();  // up to 11 degrees more
     EXPECT_FALSE(prismatic_hull(r));
+}
+
+/// Fridsma's hull A at an attitude.
+RunRecord fridsma(double draft) {
+    RunRecord r = synthetic_run({.duration = 0.1, .frames = false});
+    r.hull = posed(make_hull("fridsma", {}), {.trim = 4 * degree, .draft = draft});
+    r.numbers["speed"] = 3.985, r.numbers["trim"] = 4 * degree, r.numbers["draft"] = draft;
+    r.numbers["length"] = 1.143, r.numbers["beam"] = 0.2286;
+    return r;
+}
+
+// At its measured attitude the bow just dips in; what is wet behind it is a prism, and the formula gives 63.3 N
+// (tests/data/planing_lift_measured.csv).
+TEST(PrismaticHull, ABowThatDipsInLeavesThePrismBehindIt) {
+    const auto hull = prismatic_hull(fridsma(0.0727));
+    ASSERT_TRUE(hull);
+    EXPECT_NEAR(hull->state.deadrise / degree, 20, 1e-6);
+    EXPECT_NEAR(hull->state.beam, 0.2286, 1e-9);
+    EXPECT_NEAR(savitsky_at_draft(hull->state, hull->draft).lift, 63.3, 0.1);
+    EXPECT_GT(hull->bow, 0.002);
+    EXPECT_LT(hull->bow, 0.015);
+    EXPECT_FALSE(prismatic_hull(fridsma(0.1))) << "its bow is as deep as the prism";
+    const Comparison c = compare_records({fridsma(0.078)});
+    const auto lift = std::ranges::find(c.references, "lift", &Reference::quantity);
+    ASSERT_NE(lift, c.references.end());
+    EXPECT_NE(lift->remark.find("a bow of another shape is "), std::string::npos) << lift->remark;
+    for (const ValidityCheck& check : c.checks)
+        EXPECT_NE(check.name, "drag against lift times tan trim") << "its sections are not equal";
 }
 
 TEST(PrismaticHull, OtherShapesGetNoFormula) {
