@@ -10,7 +10,7 @@ struct SprayJet {
     double across() const { return thickness / size; }
     /// From three particles or cells across it on heights of splash are judged.
     bool resolved() const { return across() >= 3 * (1 - 1e-9); }
-    /// "not resolved: the jet is 0.4 of a particle or cell thick, and three across it are needed (near_hull = 0.02 m)"; empty where it is resolved.
+    /// "not resolved: the jet is 0.4 of a particle or cell thick, and three across it are needed (near_hull = 20 mm)"; empty where it is resolved.
     std::string why_not_resolved() const;
 };
 

@@ -52,6 +52,16 @@ std::string sizes_text(const GridStudy& grid_study) {
     return "runs of " + counts + " sizes";
 }
 
+/// Wall time of all runs [s].
+double seconds_of(const GridStudy& grid_study) {
+    double sum = 0;
+    for (const GridStudySide& side : grid_study.sides) {
+        for (const GridStudyRun& run : side.runs) sum += run.seconds;
+        for (const GridStudyVariation& v : side.variations) sum += v.run.seconds;
+    }
+    return sum;
+}
+
 }  // namespace
 
 Statement statement_of(const GridStudy& grid_study, const GridStudyQuantity& q, const GridStudyDifference& d) {
@@ -59,6 +69,7 @@ Statement statement_of(const GridStudy& grid_study, const GridStudyQuantity& q, 
     s.size = d.size, s.target = grid_study.agree_within;
     s.verdict = d.verdict, s.why = d.reason;
     s.seconds_to_target = d.seconds_to_target;
+    s.longest = longest_offer(seconds_of(grid_study));
     const bool alone = q.values.size() == 1;
     const std::vector<std::size_t> sides = alone ? std::vector<std::size_t>{0} : std::vector{d.a, d.b};
     if (std::ranges::any_of(sides, [&](std::size_t k) { return q.values[k].levels.empty(); })) {
@@ -107,6 +118,7 @@ void take(Difference& d, const GridStudyDifference& judged, const GridStudy& gri
 
 void judge_by_sizes(Comparison& c, const GridStudy& grid_study) {
     for (const std::string& line : grid_study_banners(grid_study)) c.banners.push_back(line);
+    c.study_seconds = seconds_of(grid_study);
     add_measured_box(c, grid_study);
     std::vector<std::optional<std::size_t>> sides;
     for (const RunRecord& record : c.sources) sides.push_back(side_of(grid_study, record));

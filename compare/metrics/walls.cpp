@@ -10,6 +10,8 @@
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/record_numbers.h"
+#include "text/plain_number.h"
+#include "text/unit_text.h"
 
 namespace tw {
 namespace {
@@ -87,9 +89,8 @@ void add_suction(Comparison& comparison) {
                 m.half_width = 0, m.from = samples.time.front(), m.to = samples.time.back();
                 q.unit = r.series("samples", force_prefix + name)->unit;
                 if (const Column* area = r.series("samples", area_prefix + name))
-                    areas +=
-                        fmt::format("{}{}: on {:.3g} {}", areas.empty() ? "" : "; ", method_label(comparison.names[i]),
-                                    mean_of_samples(r, area_prefix + name), area->unit);
+                    areas += fmt::format("{}{}: on {} {}", areas.empty() ? "" : "; ", method_label(comparison.names[i]),
+                                         plain_number(mean_of_samples(r, area_prefix + name)), unit_text(area->unit));
                 warn(comparison, i, name, m.value, q.unit);
             } else {
                 m.why_not = not_given;

@@ -193,15 +193,25 @@ ReportTable left_out_table(const Comparison& c) {
     for (const Quantity& q : c.quantities)
         if (q.judged && std::ranges::find(all, &q) == all.end()) all.push_back(&q);
     for (const Quantity* q : all) {
-        std::string left_out;
         std::vector<ReportCell> outer;
+        std::vector<std::pair<std::string, std::vector<std::size_t>>>
+            found;  // in words, and which sources leave it out
+        std::size_t known = 0;
         for (std::size_t s = 0; s < c.sources.size(); ++s) {
-            std::string here;
-            for (const LeftOut& l : left_out_of(*q, q->values[s], c.sources[s]))
-                here += (here.empty() ? "" : ", ") + l.name + (l.influence.empty() ? "" : " (" + l.influence + ")");
-            if (!here.empty() && left_out.find(here) == left_out.npos)
-                left_out += (left_out.empty() ? "" : "; ") + here;
+            known += q->values[s].known ? 1 : 0;
+            for (const LeftOut& l : left_out_of(*q, q->values[s], c.sources[s])) {
+                const std::string here = l.name + (l.influence.empty() ? "" : " (" + l.influence + ")");
+                auto same = std::ranges::find(found, here, &std::pair<std::string, std::vector<std::size_t>>::first);
+                if (same == found.end()) same = found.insert(same, {here, {}});
+                same->second.push_back(s);
+            }
             outer.emplace_back(outer_text(q->values[s], outer_interval(*q, q->values[s], c.sources[s])));
+        }
+        std::string left_out;
+        for (const auto& [what, by] : found) {
+            std::string who;
+            for (const std::size_t s : by) who += (who.empty() ? " by " : " and ") + method_label(c.names[s]);
+            left_out += (left_out.empty() ? "" : ", ") + what + (by.size() < known ? who + " alone" : "");
         }
         if (left_out.empty()) continue;
         ReportRow row{{q->label, q->unit, left_out}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "base/numbers.h"
@@ -22,6 +23,7 @@ namespace tw {
 
 namespace {
 
+constexpr double planes_from = 0.8;     ///< Froude number on the length: from here on the beam's is used as well
 constexpr std::size_t most_strips = 4;  ///< as many as fit on a screen of 768 pixels
 
 /// "prismatic hull, 4 m long, 1 m wide, draft 0.2 m, trim 5° bow up · 8 m/s, Froude number 1.27 · ..."
@@ -36,7 +38,9 @@ std::string conditions(const Comparison& c) {
     if (speed > 0) {
         const double g = number_of(r, "gravity", 9.81);
         parts.push_back(fmt::format("{:.4g} m/s", speed));
-        if (length > 0 && g > 0) parts.back() += fmt::format(", Froude number {:.3g}", speed / std::sqrt(g * length));
+        const double beam = number_of(r, "beam", 0), Fr = length > 0 && g > 0 ? speed / std::sqrt(g * length) : 0;
+        if (Fr > 0) parts.back() += fmt::format(", Froude number {:.3g}", Fr);
+        if (Fr >= planes_from && beam > 0) parts.back() += fmt::format(" (Cv {:.3g})", speed / std::sqrt(g * beam));
     }
     if (const double size = number_of(r, "near_hull", 0); size > 0)
         parts.push_back(fmt::format("size at the hull {:.3g} mm", 1e3 * size));
@@ -65,6 +69,35 @@ std::optional<Strip::Difference> drawn_difference(const Comparison& c, const Qua
                              q.difference, q.interval, c.agree_within * q.size};
 }
 
+/// "measured (Fridsma 1969)" of "the measured value (Fridsma 1969)".
+std::string short_source(const Reference& r) {
+    constexpr std::string_view whole = "the measured value";
+    return r.measured && r.source.starts_with(whole) ? "measured" + r.source.substr(whole.size()) : r.source;
+}
+
+/// "SPH +13 %, interFoam +6.1 %" from a reference.
+std::string distances(const Comparison& c, const Quantity& q, const Reference& r) {
+    std::string out;
+    for (std::size_t s = 0; s < q.values.size(); ++s)
+        if (q.values[s].known && !c.failed(s))
+            out += (out.empty() ? "" : ", ") + method_label(c.names[s]) + " " +
+                   per_cent_text(100 * (q.values[s].value - r.value) / std::abs(r.value));
+    return out;
+}
+
+/// How far the values lie from each reference, in one line.
+std::string beside_references(const Comparison& c, const Quantity& q) {
+    const auto measured =
+        std::ranges::count_if(c.references, [&](const Reference& r) { return r.measured && r.quantity == q.name; });
+    std::string out;
+    for (const Reference& r : c.references)
+        if (const std::string far = r.value != 0 ? distances(c, q, r) : "";
+            r.quantity == q.name && !r.of_one_run && !far.empty())
+            out += (out.empty() ? "Against " : "; against ") +
+                   (r.measured && measured == 1 ? "the measurement" : r.source) + ": " + far;
+    return out.empty() ? out : "<p class=\"note\">" + escaped(out) + ".</p>";
+}
+
 std::string strip_of(const Comparison& c, const Quantity& q) {
     Strip strip{q.label, {}};
     for (std::size_t s = 0; s < q.values.size(); ++s) {
@@ -74,7 +107,8 @@ std::string strip_of(const Comparison& c, const Quantity& q) {
                                 m.known && !c.failed(s) ? m.value : std::nan(""), m.bar(), outer.above, outer.below});
     }
     for (const Reference& r : c.references)
-        if (r.quantity == q.name && !r.of_one_run) strip.references.push_back({r.source, r.value, r.half_width});
+        if (r.quantity == q.name && !r.of_one_run) strip.references.push_back({short_source(r), r.value, r.half_width});
+    std::ranges::sort(strip.references, {}, &Strip::Reference::value);
     strip.difference = drawn_difference(c, q);
     return svg(strip);
 }
@@ -93,12 +127,25 @@ std::pair<const char*, const char*> headline_of(Verdict verdict) {
     return {"", ""};
 }
 
+std::string capital(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// What is said of one quantity: of two methods the verdict in bold and how far they are apart, else whole sentences.
 std::string said_of(const Comparison& c, const Quantity& q) {
     const auto [verdict, colour] = headline_of(q.verdict);
     if (c.sources.size() == 2 && *verdict && !q.finding.empty() && q.not_resolved.empty())
         return fmt::format("<p><b>{}: <span class=\"said {}\">{}</span>.</b> {}{}</p>", escaped(q.label), colour,
                            verdict, escaped(q.finding), q.caveat.empty() ? "" : " (" + escaped(q.caveat) + ")");
+    const auto open_because = [&](const char* badge, const std::string& why) {
+        return fmt::format("<p><b>{}: <span class=\"said undecided\">{}</span>.</b> {}</p>", escaped(q.label), badge,
+                           escaped(why));
+    };
+    if (constexpr std::string_view not_resolved = "not resolved: "; q.not_resolved.starts_with(not_resolved))
+        return open_because("not resolved", capital(q.not_resolved.substr(not_resolved.size())) + ".");
+    if (c.sources.size() == 2 && q.verdict == Verdict::undecided && q.finding.empty() && !q.remark.empty())
+        return open_because("no mean yet", q.remark + ".");
     std::string sentences;
     for (const std::string& sentence : sentences_on(c, q)) {
         const bool labelled = sentence.starts_with(q.label + ":");
@@ -117,12 +164,17 @@ std::string power_text(const Comparison& c) {
                    *total = resistance_of(c);
     if (!power || !total) return {};
     std::string powers, coefficients;
+    double largest = 0;
+    for (const MeanValue& P : power->values)
+        if (P.known) largest = std::max(largest, P.value);
+    const bool kilo = largest >= 1000;
     for (std::size_t s = 0; s < c.sources.size(); ++s) {
         const MeanValue &P = power->values[s], &R = total->values[s];
         if (!P.known || c.failed(s) || !(R.value > 0)) continue;
         const std::string who = method_label(c.names[s]);
-        powers += fmt::format("{}{} {} kW", powers.empty() ? "" : ", ", who,
-                              value_text(1e-3 * P.value, 1e-3 * P.value * R.bar() / R.value));
+        const double shown = (kilo ? 1e-3 : 1) * P.value;
+        powers += fmt::format("{}{} {} {}", powers.empty() ? "" : ", ", who,
+                              value_text(shown, shown * R.bar() / R.value), kilo ? "kW" : "W");
         if (coefficient && coefficient->values[s].known)
             coefficients += fmt::format("{}{} {}", coefficients.empty() ? "" : ", ", who,
                                         number_text(coefficient->values[s].value, 3));
@@ -151,6 +203,7 @@ std::string answer(const Comparison& c) {
                 "in both. Shaded: agreement.</p>";
             explained = true;
         }
+        if (!strip.empty()) strip += beside_references(c, *q);
         if (q == resistance) strip += power_text(c);
         if (!sentences.empty()) out += "<div class=\"answer\">" + sentences + strip + "</div>";
     }
@@ -195,7 +248,8 @@ std::string trust(const Comparison& c) {
 std::string next(const Comparison& c) {
     std::string out;
     for (const NextStep& step : next_steps(c))
-        out += "<li>" + escaped(step.what) + "<br><code>" + escaped(step.command) + "</code></li>";
+        out += "<li>" + escaped(step.what) +
+               (step.command.empty() ? "" : "<br><code>" + escaped(step.command) + "</code>") + "</li>";
     return out.empty() ? out : "<div class=\"todo\"><h2>What to do next</h2><ul class=\"next\">" + out + "</ul></div>";
 }
 

@@ -43,8 +43,8 @@ struct Strip {
     std::optional<Difference> difference = {};
 };
 
-/// One <svg> element without scripts; empty where no value is finite. Every interval is drawn whole. The difference has
-/// a line and an axis of its own, about zero.
+/// Two <svg> elements without scripts, of which the style sheet shows the one for the screen's width; empty where no
+/// value is finite. Every interval is drawn whole. The difference has a line and an axis of its own, about zero.
 std::string svg(const Strip& strip);
 
 /// The reservations that a reader has to know before trusting the numbers, one line each.
@@ -60,9 +60,10 @@ std::vector<Doubt> doubts_of(const Comparison& comparison);
 /// The next runs that would make a comparison more conclusive, as commands.
 struct NextStep {
     std::string what;     ///< "Simulate longer: the means need about 0.9 s more."
-    std::string command;  ///< for a shell
+    std::string command;  ///< for a shell; empty: a fact, nothing to run
 };
-/// The most useful first, at most three.
+/// The most useful first, at most three. Those that keep the study's own size come before finer ones; runs that take more
+/// than longest_offer (sentences.h) are no command.
 std::vector<NextStep> next_steps(const Comparison& comparison);
 
 }  // namespace tw

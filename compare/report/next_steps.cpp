@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "compare/report/sentences.h"
 #include "compare/verdict/quantity_kinds.h"
 #include "methods/methods.h"
+#include "record/force_names.h"
 #include "record/record_numbers.h"
 
 namespace tw {
@@ -84,22 +86,73 @@ double seconds_at(const Comparison& c, double finer) {
     return sum;
 }
 
+/// Of the study that was made [s].
+double study_seconds(const Comparison& c) { return c.study_seconds > 0 ? c.study_seconds : seconds_at(c, 1); }
+
+/// ", about 25 min of computing here".
+std::string time_of(double seconds) {
+    return seconds > 0 ? fmt::format(", {} of computing here", about_text(seconds)) : std::string();
+}
+
 std::string millimetres(double metres) { return number_text(1e3 * metres) + " mm"; }
 
-/// The longest time that would bring a main quantity, not decided yet, to the target; nan: none is told [s].
-double seconds_to_decide(const Comparison& c) {
-    double most = nan;
-    for (const Quantity* q : main_quantities(c.quantities))
+/// A main quantity that is not decided yet, and the time of runs that would bring it to the target [s].
+struct Open {
+    std::string label;
+    double seconds = 0;
+};
+std::vector<Open> open_quantities(const Comparison& c) {
+    std::vector<Open> open;
+    for (const Quantity* q : main_quantities(c.quantities)) {
+        double most = 0;
         for (const Difference& d : q->differences())
-            if (d.verdict == Verdict::undecided && d.seconds_to_target <= longest_runs)
-                most = std::isfinite(most) ? std::max(most, d.seconds_to_target) : d.seconds_to_target;
-    return most;
+            if (d.verdict == Verdict::undecided && d.seconds_to_target > 0) most = std::max(most, d.seconds_to_target);
+        if (most > 0) open.push_back({lower_case_first(q->label), most});
+    }
+    return open;
+}
+
+/// "lift and trim moment" of those that take more than `above` and at most `most` [s]; their longest time in `seconds`.
+std::string open_between(const std::vector<Open>& open, double above, double most, double& seconds) {
+    std::vector<std::string> labels;
+    seconds = 0;
+    for (const Open& o : open)
+        if (o.seconds > above && o.seconds <= most) labels.push_back(o.label), seconds = std::max(seconds, o.seconds);
+    return labels.empty() ? std::string() : fmt::format("{}", fmt::join(labels, " and "));
 }
 
 /// "13h", as --budget reads it; rounded up.
 std::string budget_text(double seconds) {
     return seconds < 7200 ? fmt::format("{:.0f}min", std::ceil(seconds / 60))
                           : fmt::format("{:.0f}h", std::ceil(seconds / 3600));
+}
+
+/// The next finer size, the time that decides what is open, and what takes too long to be offered.
+void add_finer(std::vector<NextStep>& steps, const Comparison& c, const std::string& scene, const std::string& finer_to,
+               const std::string& decided_to, bool diverges) {
+    const RunRecord& first = c.sources.front();
+    const double finer = std::sqrt(2.0), seconds = seconds_at(c, finer), size = number_of(first, "near_hull", 0);
+    const double longest = longest_offer(study_seconds(c));
+    const std::vector<Open> open = open_quantities(c);
+    const std::string target = fmt::format("±{:g} %", 100 * c.agree_within);
+    double needed = 0;
+    const std::string soon = open_between(open, 0, std::min(seconds, longest), needed);
+    steps.push_back({fmt::format("Refine from {} to {} at the hull{}: {}.", millimetres(size),
+                                 millimetres(size / finer), time_of(seconds),
+                                 diverges       ? "a further size shows whether the values converge"
+                                 : soon.empty() ? "smaller sizes narrow the intervals"
+                                                : "that would bring " + soon + " to " + target),
+                     "twinwake run " + scene + at_size(first, finer) + finer_to});
+    if (const std::string later = open_between(open, seconds, longest, needed); !later.empty())
+        steps.push_back({fmt::format("Or let it take the sizes that {} of computing allow: that would bring {} to {}.",
+                                     time_text(needed), later, target),
+                         fmt::format("twinwake run {}{} --budget {}{}", scene,
+                                     carried_options(first, {"--scale", "--near-hull", "--spacing"}),
+                                     budget_text(needed), decided_to)});
+    if (const std::string never = open_between(open, std::max(seconds, longest), HUGE_VAL, needed); !never.empty())
+        steps.push_back({fmt::format("To bring {} to {} would take {} of computing, by the slopes of this study.",
+                                     never, target, time_text(needed)),
+                         ""});
 }
 
 }  // namespace
@@ -121,7 +174,8 @@ std::vector<NextStep> next_steps(const Comparison& c) {
     else if (const double missing = seconds_missing(c), duration = number_of(first, "duration", 0);
              missing > 0 && duration > 0)
         steps.push_back(
-            {fmt::format("Simulate longer: the means need {} more.", about_text(missing)),
+            {fmt::format("Simulate longer{}: the means need {} more{}.", size > 0 ? " at " + millimetres(size) : "",
+                         about_text(missing), time_of(study_seconds(c) * 1.05 * (duration + missing) / duration)),
              fmt::format("twinwake run {}{} --duration \"{:.3g} s\"{}", scene, at_size(first, 1, "--duration"),
                          1.05 * (duration + missing), new_folder("longer"))});
     if (c.sources.size() == 1 && find_method(text_of(first, "method")))
@@ -133,22 +187,8 @@ std::vector<NextStep> next_steps(const Comparison& c) {
                          "twinwake run " + scene + at_size(first, 1)});
     const bool diverges = any_verdict(c, Verdict::not_converged);
     const bool open = diverges || any_verdict(c, Verdict::undecided) || any_verdict(c, Verdict::no_answer);
-    if (size > 0 && !c.discretisation_from.empty() && open) {
-        const double finer = std::sqrt(2.0), seconds = seconds_at(c, finer);
-        const std::string time = seconds > 0 ? fmt::format(", {} of computing here", about_text(seconds)) : "";
-        steps.push_back(
-            {fmt::format(
-                 "Refine from {} to {} at the hull{}: {}.", millimetres(size), millimetres(size / finer), time,
-                 diverges ? "a further size shows whether the values converge" : "smaller sizes narrow the intervals"),
-             "twinwake run " + scene + at_size(first, finer) + new_folder("finer")});
-        if (const double needed = seconds_to_decide(c); std::isfinite(needed))
-            steps.push_back({fmt::format("Or let it take the sizes that {} of computing allow: that would bring the "
-                                         "intervals of what is not decided yet to ±{:g} %.",
-                                         time_text(needed), 100 * c.agree_within),
-                             fmt::format("twinwake run {}{} --budget {}{}", scene,
-                                         carried_options(first, {"--scale", "--near-hull", "--spacing"}),
-                                         budget_text(needed), new_folder("decided"))});
-    }
+    if (size > 0 && !c.discretisation_from.empty() && open)
+        add_finer(steps, c, scene, new_folder("finer"), new_folder("decided"), diverges);
     if (const double speed = number_of(first, "speed", 0); steps.empty() && is_stream(first) && speed > 0)
         steps.push_back({"See whether it holds at other speeds.",
                          fmt::format("twinwake sweep {} --speeds \"{:.3g} m/s\" \"{:.3g} m/s\" \"{:.3g} m/s\"", scene,

@@ -3,14 +3,13 @@
 #include <vector>
 
 #include "compare/compare.h"
+#include "text/unit_text.h"
 
 namespace tw {
 
 /// plain_number with a minus sign in place of the hyphen; for people, not for files.
 std::string number_text(double value, int digits = 3);
-/// "m²" of "m2", "kg/m³" of "kg/m3": a 2 or 3 behind a letter that ends its word.
-std::string unit_text(const std::string& unit);
-/// The same within the brackets of a label: "area [m²]" of "area [m2]".
+/// unit_text within the brackets of a label: "area [m²]" of "area [m2]".
 std::string label_text(const std::string& label);
 
 /// A value to the digits its interval supports: 2722 +- 13, 0.412 +- 0.025; four digits where there is no interval.

@@ -19,15 +19,15 @@ main{max-width:1340px;margin:0 auto;padding:14px 24px 60px}
 h1{font-size:23px;line-height:1.2;margin:0 0 2px}h2{font-size:18px;margin:38px 0 10px;padding-bottom:5px;border-bottom:1px solid var(--line)}
 h3{font-size:15px;margin:22px 0 6px}p{margin:6px 0}.sub{color:var(--soft);margin:0 0 10px}
 .first{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:0 28px}.first h2{font-size:15px;margin:10px 0 4px;padding-bottom:2px}
-.verdict{background:var(--panel);border-left:5px solid var(--s0);padding:4px 14px;border-radius:4px}.verdict p{font-size:15px;line-height:1.35;margin:2px 0}
+.verdict{background:var(--panel);border-left:5px solid var(--s0);padding:4px 14px;border-radius:4px}.verdict p{font-size:15px;line-height:1.35;margin:2px 0}.verdict p.note{font-size:13.5px}
 .answer{padding:5px 0}.answer+.answer{border-top:1px solid var(--line)}
 .shots{display:grid;grid-template-columns:repeat(2,1fr);gap:10px}.shots figcaption{margin:0 0 2px}
 .line{margin:3px 0;font-size:13.5px}.line summary{color:var(--text);padding:1px 8px;border-left:4px solid var(--open);background:var(--openbg);border-radius:3px}.line.bad summary{border-color:var(--bad);background:var(--badbg)}
 .line summary{position:relative;padding-left:28px;list-style:none}.line summary::-webkit-details-marker{display:none}.line:not([open]) summary{display:-webkit-box;-webkit-box-orient:vertical;-webkit-line-clamp:3;overflow:hidden}
 .icon{position:absolute;left:6px;top:3px;width:15px;height:15px;border-radius:8px;background:var(--open);color:var(--bg);font:700 12px/15px sans-serif;text-align:center}.bad .icon{background:var(--bad);border-radius:2px}
 .said{padding:0 6px;border-radius:8px}.why{margin:0 0 2px}.beside{display:flex;flex-direction:column}.note sub{line-height:0}
-@media(min-width:1000px){.line:not([open]) summary{-webkit-line-clamp:5}}
-@media(max-width:700px){.seen{order:1}.todo{order:2}.line:not([open]) summary{-webkit-line-clamp:2}svg.strip text{font-size:15px}}
+@media(min-width:1000px){.line:not([open]) summary{-webkit-line-clamp:none}}
+@media(max-width:700px){.seen{order:1}.todo{order:2}.line:not([open]) summary{-webkit-line-clamp:2}svg.strip:not(.narrow){display:none}svg.strip.narrow{display:block}}
 .next{margin:0;padding-left:18px;font-size:14px}.next li{margin:2px 0}.next code{color:var(--soft);overflow-wrap:anywhere}
 .fold>summary{color:var(--text);font-weight:600;font-size:15px;padding:5px 0;border-bottom:1px solid var(--line)}.fold[open]{margin-bottom:22px}
 .note{color:var(--soft);font-size:13.5px}
@@ -46,7 +46,7 @@ svg .plot-title{font-size:13.5px;font-weight:600}svg .tick{font-size:11px;fill:v
 svg .frame{fill:none;stroke:var(--soft);stroke-width:1}svg .grid{stroke:var(--line);stroke-width:1}svg .line{fill:none;stroke-width:1.7;stroke-linejoin:round}
 svg .faint{stroke-width:.8;opacity:.32}svg .dashed{stroke-dasharray:5 3}svg .mean{stroke-width:2.2}svg .band{opacity:.22}svg .level{stroke:var(--soft);stroke-dasharray:2 3}svg .level-text{fill:var(--soft);font-size:11px}
 svg .outline{fill:none;stroke:var(--text);stroke-width:1.2}svg .box{fill-opacity:.08;stroke-width:1.4}svg .box.dashed{fill-opacity:0}svg .shadow{fill:none;stroke:var(--soft);opacity:.8}
-svg.strip{width:100%;height:auto;display:block}svg .bar{stroke-width:3}svg .outer{stroke-width:1}svg .apart{stroke:var(--text)}svg .dot{fill:var(--text)}svg .hollow{fill:var(--panel)}svg .value{font-size:12px;font-weight:600;font-variant-numeric:tabular-nums}svg .reference{stroke:var(--soft);stroke-width:1.6}svg .reference-band{fill:var(--soft);opacity:.16}
+svg.strip{width:100%;height:auto;display:block}svg.narrow{display:none}svg .bar{stroke-width:3}svg .outer{stroke-width:1}svg .apart{stroke:var(--text)}svg .dot{fill:var(--text)}svg .hollow{fill:var(--panel)}svg .value{font-size:12px;font-weight:600;font-variant-numeric:tabular-nums}svg .reference{stroke:var(--soft);stroke-width:1.6}svg .reference-band{fill:var(--soft);opacity:.16}
 svg .box-text{font-size:11px;font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:3px;stroke-linejoin:round}
 svg .s0{stroke:var(--s0)}svg .s1{stroke:var(--s1)}svg .s2{stroke:var(--s2)}svg .s3{stroke:var(--s3)}svg .f0{fill:var(--s0)}svg .f1{fill:var(--s1)}svg .f2{fill:var(--s2)}svg .f3{fill:var(--s3)}
 details{margin:8px 0}summary{cursor:pointer;color:var(--soft)}pre{background:var(--panel);padding:12px;border-radius:4px;overflow-x:auto;font-size:13px;line-height:1.4}code{font-family:ui-monospace,"DejaVu Sans Mono",monospace;font-size:.93em}

@@ -21,17 +21,21 @@ bool in_per_cent(const Statement& s) {
     return told_in_per_cent(s.values[0], s.values[1], s.size);
 }
 
+/// "−9.94 N m": to the digits of the interval, where these leave any.
+std::string single_text(double value, const Statement& s) {
+    if (value == 0) return "0";
+    const std::string with = value_text(value, s.interval), digits = with.substr(0, with.find(" ±"));
+    return (digits == "0" ? number_text(value, 2) : digits) + " " + unit_text(s.unit);
+}
+
 /// "SPH 3.1 % above interFoam", in magnitude where both are negative.
 std::string apart_text(const Statement& s) {
     const std::string a = method_label(s.methods[0]), b = method_label(s.methods[1]);
     if (!(s.size > 0) || (s.values[0] == 0 && s.values[1] == 0)) return fmt::format("{} and {} are both 0", a, b);
     if (!in_per_cent(s)) {
         const int larger = std::abs(s.values[0]) > std::abs(s.values[1]) ? 0 : 1, smaller = 1 - larger;
-        const double rest = s.values[smaller];
-        const std::string sign = rest < 0 ? "−" : "";
-        return fmt::format("{} {} {}, {} {}", larger == 0 ? a : b, value_text(s.values[larger], 0), unit_text(s.unit),
-                           smaller == 0 ? a : b,
-                           rest == 0 ? "0" : sign + plain_number(std::abs(rest), 2) + " " + unit_text(s.unit));
+        return fmt::format("{} {}, {} {}", larger == 0 ? a : b, single_text(s.values[larger], s), smaller == 0 ? a : b,
+                           single_text(s.values[smaller], s));
     }
     const double per_cent = 100 * std::abs(s.values[1] - s.values[0]) / s.size;
     if (per_cent < least_per_cent) return fmt::format("{} and {} are the same to {}", a, b, share_text(least_per_cent));
@@ -80,7 +84,7 @@ std::string one_method(const Statement& s) {
 
 /// Nobody is told of runs that nobody waits for.
 std::string remedy(const Statement& s) {
-    if (!(s.seconds_to_target <= longest_runs)) return {};
+    if (!(s.seconds_to_target <= s.longest)) return {};
     return fmt::format("; {} of further runs would bring it to ±{}", time_text(s.seconds_to_target), target_text(s));
 }
 

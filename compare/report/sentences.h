@@ -10,6 +10,12 @@ namespace tw {
 
 /// Further runs are proposed up to this wall time [s]. `check` refuses longer ones.
 inline constexpr double longest_runs = 30 * 86400.0;
+/// Further runs are offered up to so many times the study's own, or an hour; what needs more is a fact in a table [-], [s].
+inline constexpr double most_times_longer = 20, always_offered = 3600;
+inline double longest_offer(double study_seconds) {
+    return study_seconds > 0 ? std::clamp(most_times_longer * study_seconds, always_offered, longest_runs)
+                             : longest_runs;
+}
 
 /// What the sentence of one verdict is made of. Values in the quantity's unit; one or two methods, the names as in
 /// records (methods/methods.h).
@@ -24,6 +30,7 @@ struct Statement {
     std::string why = {};            ///< not converged, not comparable: the reason
     double target = 0.05;            ///< of the interval, over the size
     double seconds_to_target = nan;  ///< wall time of the runs that would reach it; nan: not known
+    double longest = longest_runs;   ///< further runs that are offered, see longest_offer [s]
     std::string borrowed = {};       ///< the scene that the discretisation error was taken from; empty: this one
 };
 

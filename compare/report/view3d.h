@@ -16,7 +16,7 @@ namespace tw {
 /// for the page there are fewer, and below 24 the raster is averaged in blocks. The page says both. Names reach the
 /// page as JSON text without markup characters.
 std::string view3d_section(const Comparison& comparison);
-inline constexpr std::size_t view3d_most_bytes = 2'000'000;
+inline constexpr std::size_t view3d_most_bytes = 1'450'000;  ///< so that a page has 2.5 MB at most
 
 /// Style of the section, beside report_style.
 inline constexpr const char* view3d_style = R"(

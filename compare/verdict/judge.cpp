@@ -35,12 +35,19 @@ void add_remark(Difference& d, const std::string& text) {
 void judge_incomplete(Difference& d, const Quantity& q, const std::vector<std::size_t>& sources,
                       const std::vector<std::string>& names) {
     bool all_too_short = true;
+    std::vector<std::pair<std::string, std::string>> why;  // and who lacks a value for it
     for (const std::size_t i : sources) {
         const MeanValue& value = q.values[i];
         if (value.known) continue;
         if (!(value.seconds_needed > 0)) all_too_short = false;
-        add_remark(d, method_label(names[i]) + ": " + (value.why_not.empty() ? "not known" : value.why_not));
+        const std::string reason = value.why_not.empty() ? "not known" : value.why_not;
+        const auto same = std::ranges::find(why, reason, &std::pair<std::string, std::string>::first);
+        if (same == why.end())
+            why.emplace_back(reason, method_label(names[i]));
+        else
+            same->second += " and " + method_label(names[i]);
     }
+    for (const auto& [reason, who] : why) add_remark(d, who + ": " + reason);
     d.verdict = all_too_short ? Verdict::undecided : Verdict::not_comparable;
 }
 

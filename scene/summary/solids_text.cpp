@@ -101,7 +101,7 @@ std::string hull_text(const Hull& h) {
         plain_degrees(h.trim), h.draft, h.half ? "; one half is solved, results are for the whole hull" : "");
     out += fmt::format(
         "            it displaces {:.4g} {} at rest and is wetted from x = {:.4g} to {:.4g} m; {} triangles\n",
-        h.still.volume, h.section ? "m3 per metre" : "m3", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),
+        h.still.volume, h.section ? "m³ per metre" : "m³", h.still.wet_bounds.min.x(), h.still.wet_bounds.max.x(),
         h.surface.triangles.size());
     if (h.free) out += free_hull_text(*h.free, h.section ? "kg/m" : "kg");
     for (const std::string& r : h.repairs) out += "  repaired  " + r + "\n";

@@ -13,6 +13,7 @@
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_walls.h"
 #include "scene/box/tank_wave.h"
+#include "scene/cost/program_memory.h"
 #include "scene/defaults.h"
 #include "scene/doubtful_input.h"
 #include "scene/mesh/edge_refinement.h"
@@ -170,7 +171,7 @@ std::string water_text(const Scene& scene) {
         out += fmt::format("water       block {} to {} m\n", place_text(b.min), place_text(b.max));
     for (const std::string& sentence : water_at_start(scene)) add_line(out, "  at start  ", sentence);
     const Water& w = scene.water;
-    out += fmt::format("water       {:.4g} m deep, {:.5g} kg/m3, nu {:.3g} m2/s, sigma {:.3g} N/m, g {:.4g} m/s2\n",
+    out += fmt::format("water       {:.4g} m deep, {:.5g} kg/m³, nu {:.3g} m²/s, sigma {:.3g} N/m, g {:.4g} m/s²\n",
                        w.depth, w.density, w.kinematic_viscosity, w.surface_tension, w.gravity);
     if (scene.motion.kind == Motion::Kind::stream)
         out += fmt::format("motion      stream of {:.4g} m/s along x, started over {:.3g} s\n", scene.motion.speed,
@@ -288,7 +289,7 @@ std::string cost_text(const Scene& scene, const Prediction& p) {
     for (const MethodCost& cost : p.costs) {
         if (!is_run(cost.method, scene)) continue;
         out += fmt::format("  {:4} {}, {} steps, {:.2g} GB, {}\n", cost.method, cost.in_words, plain_number(cost.steps),
-                           cost.bytes / 1e9, time_in_words(cost.seconds));
+                           all_bytes(scene, cost) / 1e9, time_in_words(cost.seconds));
         if (elements_of(cost.method) == "particles") out += sizes_text(scene, p, cost);
     }
     return out;

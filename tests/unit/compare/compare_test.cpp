@@ -386,8 +386,8 @@ TEST(Compare, OfAJetThatIsNotResolvedTheHeightIsShownAndNotJudged) {
     };
     const Comparison thin = compared(0.04), thick = compared(0.31);
     const std::string why =
-        "not resolved: the jet is 0.4 of a particle or cell thick, and three across it are needed (near_hull = 0.013 "
-        "m)";
+        "not resolved: the jet is 0.4 of a particle or cell thick, and three across it are needed (near_hull = 13 "
+        "mm)";
     for (const char* name : {"splash_sheet_height", "splash_p99", "airborne_volume"}) {
         EXPECT_EQ(thin.find(name)->not_resolved, why) << name;
         EXPECT_FALSE(thin.find(name)->judged) << name;

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "compare/report/comparison_tables.h"
 #include "tests/unit/compare/synthetic_pair.h"
 
 namespace tw {
@@ -176,6 +178,20 @@ TEST(LeftOut, StandsInOneLineAndInATableOfTheTerminal) {
     EXPECT_NE(line.find("air (drag 10 %, lift 3 to 5 %)"), std::string::npos) << line;
     EXPECT_NE(text.find("Not in these intervals"), std::string::npos) << text;
     EXPECT_NE(text.find("turbulence (0.7 %), air (3 to 5 %), ventilation (the same)"), std::string::npos) << text;
+}
+
+TEST(LeftOut, TheTableNamesEachOnceAndWhoAloneLeavesItOut) {
+    Comparison c;
+    c.names = {"sph", "fvm"};
+    c.sources = {run(true), run(true)};
+    c.sources[0].attributes["method"] = "sph", c.sources[1].attributes["method"] = "fvm";
+    std::ranges::find(c.sources[1].effects, "air", &EffectChoice::name)->on = true;
+    Quantity q = quantity("lift", 400, 30);
+    q.values.push_back(q.values[0]);
+    c.quantities = {q};
+    const ReportTable table = left_out_table(c);
+    ASSERT_EQ(table.rows.size(), 1u);
+    EXPECT_EQ(table.rows[0].cells[2].text, "turbulence (0.7 %), air (3 to 5 %) by SPH alone, ventilation (the same)");
 }
 
 }  // namespace left_out_test

@@ -8,6 +8,8 @@
 #include "compare/report/first_screen.h"
 #include "compare/report/numbers.h"
 #include "compare/report/report_files.h"
+#include "compare/report/sentences.h"
+#include "record/measured_value.h"
 #include "tests/unit/compare/synthetic_pair.h"
 #include "tests/unit/record/example_record.h"
 
@@ -191,6 +193,65 @@ TEST(Report, WhatToDoNextKeepsTheStudysOwnSizeAndSaysItsTime) {
     EXPECT_TRUE(has(steps[0].command, "--scale 1.089 --speed '8 m/s' --out")) << steps[0].command;
     EXPECT_TRUE(has(steps[1].what, "24 min of computing")) << steps[1].what;
     EXPECT_TRUE(has(steps[1].command, "prism.toml --speed '8 m/s' --budget 24min --out")) << steps[1].command;
+}
+
+TEST(Report, NoCommandIsOfferedForRunsThatNobodyWaitsForAndTheStudysOwnSizeComesFirst) {
+    std::vector<RunRecord> records{synthetic_run({}), synthetic_run({.method = "fvm"})};
+    for (RunRecord& r : records) r.attributes["command"] = "run\nprism.toml", r.phases = {{"solving", 100, 100}};
+    Comparison c = compare_records(records);
+    c.discretisation_from = "runs of 3 sizes";
+    c.study_seconds = 300;
+    for (Quantity& q : c.quantities) {
+        q.verdict = Verdict::agree;
+        if (q.name == "lift") q.verdict = Verdict::undecided, q.seconds_to_target = 3.9 * 86400;
+        if (q.name == "trim_moment") q.verdict = Verdict::undecided, q.seconds_to_target = 600;
+        if (q.name == "splash_raised") q.values[0].known = false, q.values[0].seconds_needed = 2;
+    }
+    const std::vector<NextStep> steps = next_steps(c);
+    ASSERT_EQ(steps.size(), 3u);
+    EXPECT_EQ(steps[0].what,
+              "Simulate longer at 40 mm: the means need about 2 s more, about 11 min of computing here.");
+    EXPECT_EQ(steps[1].what,
+              "Refine from 40 mm to 28.3 mm at the hull, about 18 min of computing here: that would bring trim moment "
+              "to ±5 %.");
+    EXPECT_EQ(steps[2].what, "To bring lift to ±5 % would take 3.9 days of computing, by the slopes of this study.");
+    EXPECT_EQ(steps[2].command, "");
+    EXPECT_EQ(longest_offer(300), 6000);
+    EXPECT_EQ(longest_offer(10), always_offered);
+    EXPECT_EQ(longest_offer(1e7), longest_runs);
+}
+
+TEST(Report, FirstScreenSaysHowFarTheValuesAreFromMeasurementAndFormula) {
+    std::vector<RunRecord> records{synthetic_run({.lift = 3258}), synthetic_run({.method = "fvm", .lift = 2600})};
+    for (RunRecord& r : records) note_measured(r, {"lift", "N", "Tank 3", 2800, 30});
+    const Comparison c = compare_records(records);
+    const std::string page = first_screen(c, {});
+    for (const char* part : {"Against the measurement: SPH +16 %, interFoam −7.1 %; against Savitsky 1964: SPH +40 %, ",
+                             ">measured (Tank 3)<"})
+        EXPECT_TRUE(has(page, part)) << part << page.substr(0, 3000);
+    EXPECT_TRUE(has(page, "8 m/s, Froude number 1.28 (Cv 2.55)")) << page.substr(0, 600);
+    EXPECT_LT(page.find(">Savitsky 1964<"), page.find(">measured (Tank 3)<")) << "from left to right";
+}
+
+TEST(Report, AReasonThatBothMethodsShareIsSaidOnce) {
+    std::vector<RunRecord> records{synthetic_run({.duration = 0.4}), synthetic_run({.method = "fvm", .duration = 0.4})};
+    const Comparison c = compare_records(records);
+    const Quantity& lift = *c.find("lift");
+    ASSERT_FALSE(lift.values[0].known || lift.values[1].known);
+    ASSERT_EQ(lift.values[0].why_not, lift.values[1].why_not);
+    EXPECT_EQ(lift.remark, "SPH and interFoam: " + lift.values[0].why_not);
+    EXPECT_TRUE(has(first_screen(c, {}), "<b>Lift: <span class=\"said undecided\">no mean yet</span>.</b> SPH and "))
+        << first_screen(c, {}).substr(0, 3000);
+}
+
+TEST(Report, WhatWasTunedIsTheLastDoubt) {
+    std::vector<RunRecord> records{synthetic_run({}), synthetic_run({.method = "fvm"})};
+    records[0].attributes["calibrated"] = "the wall, on a prism";
+    records[0].attributes["box_walls"] = "the walls of the box raise the lift by 12 %";
+    const std::vector<Doubt> doubts = doubts_of(compare_records(records));
+    ASSERT_GE(doubts.size(), 3u);
+    EXPECT_TRUE(has(doubts.back().text, "SPH was tuned: the wall, on a prism")) << doubts.back().text;
+    EXPECT_TRUE(has(doubts[doubts.size() - 2].text, "Values are those of this box")) << doubts.back().text;
 }
 
 TEST(Report, OneRunAloneAndATankWithoutAHullHaveAReportToo) {

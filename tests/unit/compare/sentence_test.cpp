@@ -95,9 +95,9 @@ TEST(Sentence, OfAValueThatIsNothingBesideTheOtherHasBothInTheirUnit) {
     Statement s = lift();
     s.label = "Suction on hull", s.values = {0.3, 61}, s.size = 30.65, s.interval = s.discretisation = 9;
     s.statistics = 0, s.verdict = Verdict::differ;
-    EXPECT_EQ(sentence_of(s), "Suction on hull: interFoam 61.00 N, SPH 0.3 N, discretisation error ±9 N: they differ.");
+    EXPECT_EQ(sentence_of(s), "Suction on hull: interFoam 61.0 N, SPH 0.3 N, discretisation error ±9 N: they differ.");
     s.values = {3.5, 61}, s.size = 32.25;  // no value is 188 % below another
-    EXPECT_TRUE(sentence_of(s).starts_with("Suction on hull: interFoam 61.00 N, SPH 3.5 N, ")) << sentence_of(s);
+    EXPECT_TRUE(sentence_of(s).starts_with("Suction on hull: interFoam 61.0 N, SPH 3.5 N, ")) << sentence_of(s);
     s.values = {21, 61}, s.size = 41;
     EXPECT_TRUE(sentence_of(s).starts_with("Suction on hull: SPH 98 % below interFoam, ")) << sentence_of(s);
     EXPECT_EQ(difference_text(-200, 30), "too far apart for per cent");
@@ -109,7 +109,7 @@ TEST(Sentence, NegativeValuesAreComparedInMagnitude) {
     s.label = "Trim moment", s.values = {-2652, -2509}, s.size = 2580;
     EXPECT_TRUE(sentence_of(s).starts_with("Trim moment: SPH 5.5 % above interFoam in magnitude, ")) << sentence_of(s);
     s.values = {-100, 50}, s.size = 75;
-    EXPECT_TRUE(sentence_of(s).starts_with("Trim moment: SPH −100.0 N, interFoam 50 N, ")) << sentence_of(s);
+    EXPECT_TRUE(sentence_of(s).starts_with("Trim moment: SPH −100 N, interFoam 50 N, ")) << sentence_of(s);
 }
 
 /// What per cent of a scale that is larger than both values mean, no reader can know.
@@ -117,10 +117,9 @@ TEST(Sentence, OfValuesBelowTheirScaleHasThemAndTheTargetInTheirUnit) {
     Statement s = lift();
     s.label = "Trim moment", s.unit = "N m", s.values = {30, 24}, s.size = 200, s.seconds_to_target = 60;
     s.interval = s.discretisation = 20;
-    EXPECT_EQ(
-        sentence_of(s),
-        "Trim moment: SPH 30.00 N m, interFoam 24 N m, discretisation error ±20 N m: no difference shown; 60 s of "
-        "further runs would bring it to ±10 N m.");
+    EXPECT_EQ(sentence_of(s),
+              "Trim moment: SPH 30 N m, interFoam 24 N m, discretisation error ±20 N m: no difference shown; 60 s of "
+              "further runs would bring it to ±10 N m.");
     EXPECT_EQ(difference_text(-3, 10, of_scale(200, 30, 24, "N m")), "−3 ± 10 % of 200 N m");
     EXPECT_EQ(of_scale(27, 30, 24, "N m"), "");
 }

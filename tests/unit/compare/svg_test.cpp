@@ -226,6 +226,19 @@ TEST(Strip, DrawsTheDifferenceAboutZeroAndEveryIntervalWhole) {
     EXPECT_LT(band, zero);
 }
 
+/// A phone's is drawn again, not shrunk: the same values on a shorter axis.
+TEST(Strip, HasADrawingForNarrowScreens) {
+    Strip strip{"Lift", {{"SPH", "100 ± 16 N", 0, 100, 16}}};
+    strip.references = {{"measured (" + std::string(80, 'x') + ")", 95, 3}};
+    const std::string both = svg(strip);
+    const auto narrow = both.find("<svg class=\"strip narrow\" viewBox=\"0 0 376 ");
+    ASSERT_NE(narrow, std::string::npos) << both;
+    EXPECT_NE(both.find("class=\"reference\"", narrow), std::string::npos);
+    EXPECT_NE(both.find("100 ± 16 N</text>", narrow), std::string::npos);
+    EXPECT_EQ(both.find("xxx</text>", narrow), std::string::npos) << "no room for names";
+    EXPECT_NE(both.find("xxx</text>"), std::string::npos);
+}
+
 TEST(Colours, EndsAndMiddle) {
     const ColourScale s = elevation_scale(1, 0);
     EXPECT_EQ(s(-5), s(-1));

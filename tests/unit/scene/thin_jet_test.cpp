@@ -62,7 +62,7 @@ TEST(ThinJet, CheckSaysBeforeTheRunWhetherItIsResolved) {
     const Scene scene = scene_of(planing);  // near_hull = 0.05 m
     const std::string coarse = to_text(scene, predict(scene));
     EXPECT_NE(coarse.find("not resolved: the jet is 0.21 of a particle or cell thick, and three across it are needed "
-                          "(near_hull = 0.0035 m)"),
+                          "(near_hull = 3.5 mm)"),
               std::string::npos)
         << coarse;
     const Scene fine = scene_of(planing + "[[refine]]\naround = \"spray_root\"\nspacing = \"0.0125 m\"\n");
@@ -99,7 +99,7 @@ TEST(ThinJet, OfAFlatSectionIsTheChannels) {
     const Scene scene = scene_of(with(in_channel(thin), "near_hull = 0.02", "near_hull = 0.05"));
     EXPECT_NE(to_text(scene, predict(scene))
                   .find("not resolved: the jet is 1.6 of a particle or cell thick, and three across it are needed "
-                        "(near_hull = 0.026 m)"),
+                        "(near_hull = 26 mm)"),
               std::string::npos)
         << to_text(scene, predict(scene));
 }
