@@ -152,6 +152,7 @@ bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand
         member.report = variant.folder + "/report.html";
         member.methods = comparison.names;
         member.quantities = comparison.quantities;
+        member.references = comparison.references;
         member.discretisation_from = comparison.discretisation_from;
         member.series = variant.series;
         if (const auto& numbers = comparison.sources.front().numbers; numbers.contains("speed"))

@@ -14,6 +14,7 @@ struct SweepMember {
     std::string report;                ///< path of its own report, relative to the sweep's
     std::vector<std::string> methods;  ///< names of its sources
     std::vector<Quantity> quantities;  ///< of its comparison
+    std::vector<Reference> references = {};  ///< formulas and measurements of these
     std::string discretisation_from;   ///< as its comparison says; empty: not estimated
     std::string series;                ///< what it has in common with those that differ from it in speed alone
     double speed = nan;                ///< [m/s]

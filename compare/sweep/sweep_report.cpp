@@ -9,6 +9,7 @@
 #include "compare/report/page.h"
 #include "compare/report/report_table.h"
 #include "compare/report/svg_plot.h"
+#include "compare/sweep/over_the_speed.h"
 #include "compare/sweep/sweep.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
@@ -40,51 +41,6 @@ std::string scatter_plot(const Sweep& sweep, const SweepSummary& s) {
     plot.lines.push_back({"equal", 1, {low, high}, {low, high}, false, true, false});
     plot.lines.push_back(std::move(dots));
     return "<figure>" + svg(plot) + "</figure>";
-}
-
-/// One quantity over the speed by every method, with its interval above and below; empty: fewer than two speeds.
-std::string curve_plot(const Sweep& sweep, const std::string& series, const std::string& quantity) {
-    std::vector<const SweepMember*> members;
-    for (const SweepMember& m : sweep.members)
-        if (m.why_not.empty() && m.series == series && std::isfinite(m.speed)) members.push_back(&m);
-    std::ranges::stable_sort(members, {}, &SweepMember::speed);
-    Plot plot;
-    plot.x_label = "speed [m/s]";
-    plot.width = 460, plot.height = 320;
-    std::size_t most = 0;
-    for (std::size_t s = 0; s < sweep.methods.size(); ++s) {
-        PlotLine line{method_label(sweep.methods[s]), s, {}, {}, false, false, true}, low{"", s, {}, {}, false, true},
-            high = low;
-        for (const SweepMember* m : members) {
-            const auto q = std::ranges::find(m->quantities, quantity, &Quantity::name);
-            if (q == m->quantities.end() || s >= q->values.size() || !q->values[s].known) continue;
-            plot.title = q->label + (series.empty() ? "" : ", " + series);
-            plot.y_label = lower_case_first(q->label) + (q->unit == "-" ? "" : " [" + q->unit + "]");
-            const MeanValue& v = q->values[s];
-            line.x.push_back(m->speed), line.y.push_back(v.value);
-            low.x.push_back(m->speed), low.y.push_back(v.value - v.bar());
-            high.x.push_back(m->speed), high.y.push_back(v.value + v.bar());
-        }
-        most = std::max(most, line.x.size());
-        for (PlotLine* l : {&low, &high, &line}) plot.lines.push_back(std::move(*l));
-    }
-    return most > 1 ? "<figure>" + svg(plot) + "</figure>" : "";
-}
-
-/// Resistance, attitude and wetted length over the speed, for every hull and trim that was run at several.
-std::string curves(const Sweep& sweep) {
-    std::vector<std::string> all;
-    for (const SweepMember& m : sweep.members)
-        if (std::ranges::find(all, m.series) == all.end()) all.push_back(m.series);
-    std::string plots;
-    for (const std::string& series : all)
-        for (const char* quantity : {"total_drag", "drag", "effective_power", "lift", "running_trim", "rise",
-                                     "transom_sinkage", "wetted_length"})
-            plots += curve_plot(sweep, series, quantity);
-    return plots.empty() ? plots
-                         : "<h2>Over the speed</h2><div class=\"pair\">" + plots +
-                               "</div><p class=\"note\">Broken lines: the 95 % intervals of the values, as far as they "
-                               "are known.</p>";
 }
 
 /// Bias and scatter between the methods, a row for each quantity.
@@ -160,7 +116,7 @@ ReportTable the_scenes(const Sweep& sweep) {
                                m.why_not.empty() ? m.report : m.why_not}});
     std::string links;
     for (const SweepMember& m : sweep.members)
-        if (m.why_not.empty())
+        if (!m.report.empty())
             links += fmt::format("<li><a href=\"{}\">{}</a></li>", escaped(m.report), escaped(m.name));
     if (!links.empty()) table.picture = "<p>Reports:</p><ul>" + links + "</ul>";
     return table;
@@ -168,7 +124,10 @@ ReportTable the_scenes(const Sweep& sweep) {
 
 /// What the page and the terminal say of a sweep.
 std::vector<ReportTable> tables_of(const Sweep& sweep) {
-    return {bias_and_scatter(sweep), scene_by_scene(sweep), the_scenes(sweep)};
+    std::vector<ReportTable> tables = over_the_speed(sweep);
+    for (ReportTable table : {bias_and_scatter(sweep), scene_by_scene(sweep), the_scenes(sweep)})
+        tables.push_back(std::move(table));
+    return tables;
 }
 
 }  // namespace
@@ -186,7 +145,7 @@ std::string sweep_text(const Sweep& sweep) {
 std::string sweep_html(const Sweep& sweep) {
     const auto good = std::ranges::count_if(sweep.members, [](const SweepMember& m) { return m.why_not.empty(); });
     return page_begin_with(sweep.title, fmt::format("{} scenes, {} compared", sweep.members.size(), good)) +
-           curves(sweep) + html_of(tables_of(sweep)) + page_end;
+           html_of(tables_of(sweep)) + page_end;
 }
 
 std::string sweep_json(const Sweep& sweep) {

@@ -105,6 +105,32 @@ TEST(Sweep, OfSeveralSpeedsEveryHullHasItsCurves) {
     EXPECT_NE(two.find("data-x=\"speed [m/s]\"", curves), std::string::npos);
 }
 
+TEST(Sweep, TheTableOverTheSpeedHasMethodsAndFormulasAndNeedsOneMethodOnly) {
+    const auto at = [](double speed, bool alone) {
+        SweepMember m = member(fmt::format("{} m/s", speed), 100 * speed, 110 * speed);
+        m.quantities[0].name = "running_trim", m.quantities[0].label = "Running trim", m.quantities[0].unit = "deg";
+        m.speed = speed;
+        if (alone) m.methods = {"sph"}, m.quantities[0].values.pop_back();
+        if (speed > 4) m.references = {{"running_trim", "deg", "Savitsky 1964", 3, 0.3, ""}};
+        return m;
+    };
+    const std::string both = sweep_text(build_sweep("set", {at(5, false), at(4, false), at(6, false)}));
+    const auto row = [](const std::string& text, const std::string& by) {
+        const auto begin = text.find("| Running trim | deg  | " + by);
+        return begin == text.npos ? text : text.substr(begin, text.find('\n', begin) - begin);
+    };
+    EXPECT_LT(both.find("4 m/s |"), both.find("5 m/s |")) << both;
+    EXPECT_NE(row(both, "SPH").find("400 ± 1 |"), std::string::npos) << row(both, "SPH");
+    EXPECT_NE(row(both, "interFoam").find("660 ± 2 |"), std::string::npos) << row(both, "interFoam");
+    EXPECT_NE(row(both, "Savitsky 1964").find("– | 3.00 ± 0.30 | 3.00 ± 0.30 |"), std::string::npos)
+        << row(both, "Savitsky 1964");
+    const Sweep alone = build_sweep("set", {at(4, true), at(5, true)});
+    EXPECT_NE(row(sweep_text(alone), "SPH").find("400 ± 1 |"), std::string::npos) << sweep_text(alone);
+    const std::string page = sweep_html(alone);
+    EXPECT_NE(page.find("<a href=\"4 m/s/report.html\">"), std::string::npos);
+    EXPECT_NE(page.find("aria-label=\"Running trim"), std::string::npos);
+}
+
 TEST(Sweep, AllFailedIsStillAReport) {
     SweepMember failed;
     failed.name = "one", failed.why_not = "no";
