@@ -77,4 +77,22 @@ PaidSizes sizes_for_budget(const GridStudySizes& family, double budget) {
                                  time_text(budget), about_text(cheapest)));
 }
 
+std::string first_impression(const GridStudySizes& family, const PaidSizes& sizes, const Scene& scene) {
+    constexpr double of_beam = 0.1, rounding = 1.001;
+    if (!scene.hull || scene.motion.kind != Motion::Kind::stream || scene.domain.dimensions == 2) return {};
+    const double least = of_beam * scene.hull->beam;
+    if (!(sizes.near_hull > rounding * least)) return {};
+    std::optional<PaidSizes> tenth;
+    try {
+        tenth = sizes_at(family, sizes.scale * least / sizes.near_hull);
+    } catch (const InputError&) {}
+    return fmt::format(
+        "! near_hull is the beam over {:.2g}: forces from less than ten sizes across the beam are a first "
+        "impression{}\n",
+        scene.hull->beam / sizes.near_hull,
+        tenth ? fmt::format("; ten take {} (--budget {:.0f}min)", about_text(tenth->seconds),
+                            std::ceil(1.05 * tenth->seconds / 60))
+              : "");
+}
+
 }  // namespace tw::app

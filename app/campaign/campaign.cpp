@@ -17,6 +17,7 @@
 #include "app/terminal/stop_signal.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
+#include "scene/cost/program_memory.h"
 #include "scene/hash.h"
 #include "scene/run/run_end.h"
 #include "sph_solver/parallel/comm.h"
@@ -62,7 +63,8 @@ void tell_runs(const fs::path& out, const std::vector<CampaignRun>& runs) {
 
 Member member_of(const CampaignRun& run) {
     const MethodCost& cost = run.plan.prediction.of(run.method);
-    Member member{run.name, run.method, run.folder, run.plan.request, cost.seconds, cost.bytes, cost.elements};
+    Member member{run.name,     run.method, run.folder, run.plan.request, cost.seconds, all_bytes(run.plan.scene, cost),
+                  cost.elements};
     member.request.threads = run.plan.scene.run.threads;
     member.request.ranks = run.ranks();
     return member;
@@ -75,7 +77,7 @@ JobCost cost_on_one_core(const std::string& method, const Scene& scene, int core
     const MethodCost cost = predict_here(alone).of(method);
     const double least = solver_of(method).elements_per_rank;
     const double of_it = least > 0 ? std::clamp(std::floor(cost.elements / least), 1.0, double(cores)) : cores;
-    return {cost.seconds, cost.bytes, of_it, least == 0};
+    return {cost.seconds, all_bytes(alone, cost), of_it, least == 0};
 }
 
 }  // namespace

@@ -80,22 +80,27 @@ std::vector<CampaignRun> wave_twins_of(const PlannedRun& plan, const fs::path& o
     return runs;
 }
 
+/// The runs whose sizes --budget chooses.
+GridStudySizes family_of(const RunCommand& command, const RunRequest& own) {
+    GridStudySizes family = sizes_of_coarser_members(own);
+    if (!command.coarser_members) family.levels = 1;
+    return family;
+}
+
 /// What --budget chooses, or chose when the run was begun; none: it is not given.
 std::optional<PaidSizes> paid_sizes(const RunCommand& command, const RunRequest& own, const fs::path& out) {
     if (command.budget.empty()) return {};
     const double budget = budget_seconds(command.budget);
     std::optional<PaidSizes> sizes;
     if (!command.overwrite) sizes = remembered_sizes(out, budget);
-    if (sizes) return sizes;
-    GridStudySizes family = sizes_of_coarser_members(own);
-    if (!command.coarser_members) family.levels = 1;
-    return sizes_for_budget(family, budget);
+    return sizes ? sizes : sizes_for_budget(family_of(command, own), budget);
 }
 
-std::string budget_text(const PaidSizes& paid, double budget) {
+std::string budget_text(const RunCommand& command, const PlannedRun& plan, const PaidSizes& paid) {
     return fmt::format("budget of {}: near_hull = {} m, {} times the scene's size, with all runs {}\n",
-                       time_text(budget), plain_number(paid.near_hull), plain_number(paid.scale),
-                       about_text(paid.seconds));
+                       time_text(budget_seconds(command.budget)), plain_number(paid.near_hull),
+                       plain_number(paid.scale), about_text(paid.seconds)) +
+           first_impression(family_of(command, plan.request), paid, plan.scene);
 }
 
 /// What lies in the run's folder of this very scene: another scene's record beside it would mislead.
@@ -266,8 +271,7 @@ int run_run(const RunCommand& command, const Common& common) {
         say(common, ready_text(methods, plan.scene, &plan.prediction));
     const std::vector<CampaignRun> empty = wave_twins_of(plan, out);
     CoarserMembers* const coarser = coarser_members ? &*coarser_members : nullptr;
-    say(common,
-        announcement(plan, paid ? budget_text(*paid, budget_seconds(command.budget)) : "", empty, coarser, out));
+    say(common, announcement(plan, paid ? budget_text(command, plan, *paid) : "", empty, coarser, out));
 
     FolderLock lock(out);
     if (paid) remember(*paid, budget_seconds(command.budget), out);

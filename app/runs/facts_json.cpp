@@ -9,6 +9,7 @@
 #include "compare/grid_study/grid_study_report.h"
 #include "methods/names.h"
 #include "scene/box/box_walls.h"
+#include "scene/cost/program_memory.h"
 #include "scene/doubtful_input.h"
 #include "scene/particles/cost_of_sizes.h"
 
@@ -119,7 +120,7 @@ Json costs_json(const Scene& scene, const Prediction& p) {
         const MethodCost& cost = p.of(method);
         predicted[method] = {{"seconds", cost.seconds},
                              {"core_seconds", cost.core_seconds},
-                             {"bytes", cost.bytes},
+                             {"bytes", all_bytes(scene, cost)},
                              {"steps", std::round(cost.steps)}};
         if (method == sph_method) predicted[method]["sizes"] = sizes_json(scene, p);
     }

@@ -18,6 +18,7 @@
 #include "methods/methods.h"
 #include "record/this_machine.h"
 #include "scene/cost/node.h"
+#include "scene/cost/program_memory.h"
 #include "sph_solver/parallel/comm.h"
 #include "text/plain_number.h"
 
@@ -132,7 +133,7 @@ RunRecord run_method(const std::string& method, const PlannedRun& plan, const Me
     options.predicted_seconds = cost.seconds;
     options.predicted_core_seconds = cost.core_seconds;
     options.predicted_elements = cost.with_walls;
-    options.predicted_bytes = cost.bytes;
+    options.predicted_bytes = all_bytes(scene, cost);
     options.predicted_steps = cost.steps;
     options.command = common.command;
     ProgressBar bar(method_label(method), common.quiet);

@@ -148,6 +148,19 @@ TEST_F(Command, ABudgetChoosesTheFinestSizesThatFit) {
     EXPECT_TRUE(has(none.err, "no sizes that the scene allows fit")) << none.err;
 }
 
+TEST_F(Command, ABudgetThatPaysForFewSizesAcrossTheBeamSaysWhatTenTake) {
+    const std::string scene = std::string(TWINWAKE_SOURCE) + "/studies/demo.toml";
+    const auto said = [&](const std::string& out, const std::string& sizes) {  // without choosing, or making the run
+        fs::create_directory(folder_ / out);
+        write(out + "/sizes.json", R"({"budget": 60, "seconds": 60, )" + sizes + "}");
+        return twinwake({"run", scene, "--method", "sph", "--budget", "1min", "--out", out, "--collect"}).out;
+    };
+    const std::string coarse = said("coarse", R"("scale": 2, "near_hull": 0.0324)");
+    EXPECT_TRUE(has(coarse, "! near_hull is the beam over 7.1: ")) << coarse;
+    EXPECT_TRUE(has(coarse, "; ten take about ")) << coarse;
+    EXPECT_FALSE(has(said("fine", R"("scale": 1, "near_hull": 0.0162)"), "over ")) << "14 across the beam";
+}
+
 TEST_F(Command, ARunWithABudgetGoesOnAtTheSizesItBeganWith) {
     write("column.toml", column);
     fs::create_directory(folder_ / "out");

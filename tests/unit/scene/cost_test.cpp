@@ -3,6 +3,7 @@
 
 #include "meshes/generate.h"
 #include "scene/cost/node.h"
+#include "scene/cost/program_memory.h"
 #include "scene_text.h"
 #include "test_paths.h"
 
@@ -186,6 +187,16 @@ TEST(Cost, AParticleTakesItsArraysAndItsPartOfTheCopies) {
     const double each = (p.of("sph").bytes - p.raster_bytes) / p.particles;
     EXPECT_GT(each, 230 + 47);
     EXPECT_LT(each, 1.2 * (230 + 47));
+}
+
+// However few particles: 54 MB were the peak of a run of 231.
+TEST(Cost, TheProgramTakesMemoryToo) {
+    const Scene s = scene_of(with(tank, "0.01", "0.1"));
+    const Prediction p = predict(s);
+    EXPECT_LT(p.of("sph").bytes, 1e6);
+    EXPECT_NEAR(all_bytes(s, p.of("sph")), 54e6, 6e6);
+    EXPECT_EQ(all_bytes(s, p.of("fvm")), p.of("fvm").bytes) << "interFoam's is in it";
+    EXPECT_NE(to_text(s, p).find("steps, 0.05"), std::string::npos) << to_text(s, p);
 }
 
 TEST(Cost, HalfAHullIsHalfTheWork) {
