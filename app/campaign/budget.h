@@ -22,8 +22,8 @@ struct PaidSizes {
 /// scene is wrong, or no family that it allows fits.
 PaidSizes sizes_for_budget(const GridStudySizes& family, double budget);
 
-/// Of a hull in a stream whose finest size is above a tenth of the beam: that it is, and the budget of a tenth, where the
-/// scene allows it. Empty of anything else.
+/// Of a hull in a stream whose finest size is above a tenth of the beam: that it is, and the budget of a tenth, where
+/// the scene allows it. Empty of anything else.
 std::string first_impression(const GridStudySizes& family, const PaidSizes& sizes, const Scene& scene);
 
 /// What an earlier call chose for this budget in this folder of results (`out`/sizes.json): a run goes on at its sizes,

@@ -13,8 +13,8 @@ bool in_a_channel(const Comparison& comparison);
 /// those of a channel, where it is one.
 void add_box(Comparison& comparison);
 
-/// All that stands on top of the report: the comparison's own warnings, that its values are those of its box, and what was
-/// tuned.
+/// All that stands on top of the report: the comparison's own warnings, that its values are those of its box, and what
+/// was tuned.
 std::vector<std::string> all_banners(const Comparison& comparison);
 
 }  // namespace tw

@@ -62,8 +62,8 @@ struct NextStep {
     std::string what;     ///< "Simulate longer: the means need about 0.9 s more."
     std::string command;  ///< for a shell; empty: a fact, nothing to run
 };
-/// The most useful first, at most three. Those that keep the study's own size come before finer ones; runs that take more
-/// than longest_offer (sentences.h) are no command.
+/// The most useful first, at most three. Those that keep the study's own size come before finer ones; runs that take
+/// more than longest_offer (sentences.h) are no command.
 std::vector<NextStep> next_steps(const Comparison& comparison);
 
 }  // namespace tw

@@ -107,7 +107,7 @@ std::vector<Open> open_quantities(const Comparison& c) {
         double most = 0;
         for (const Difference& d : q->differences())
             if (d.verdict == Verdict::undecided && d.seconds_to_target > 0) most = std::max(most, d.seconds_to_target);
-        if (most > 0) open.push_back({lower_case_first(q->label), most});
+        if (most > 0 && std::isfinite(most)) open.push_back({lower_case_first(q->label), most});
     }
     return open;
 }

@@ -10,7 +10,7 @@ namespace tw {
 
 /// Further runs are proposed up to this wall time [s]. `check` refuses longer ones.
 inline constexpr double longest_runs = 30 * 86400.0;
-/// Further runs are offered up to so many times the study's own, or an hour; what needs more is a fact in a table [-], [s].
+/// Further runs are offered up to so many times the study's own, or an hour; what needs more is no offer [-], [s].
 inline constexpr double most_times_longer = 20, always_offered = 3600;
 inline double longest_offer(double study_seconds) {
     return study_seconds > 0 ? std::clamp(most_times_longer * study_seconds, always_offered, longest_runs)

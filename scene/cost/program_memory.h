@@ -4,8 +4,8 @@
 
 namespace tw {
 
-/// What a process of the program takes beside its elements, of a particle run: 52 to 56 MB were the peak of runs of 25 to
-/// 700 particles. interFoam's is part of its prediction [bytes].
+/// What a process of the program takes beside its elements, of a particle run: 52 to 56 MB were the peak of runs of 25
+/// to 700 particles. interFoam's is part of its prediction [bytes].
 inline constexpr double bytes_of_program = 50e6;
 
 /// Predicted peak of all processes of a run together [bytes].
