@@ -87,7 +87,7 @@ TEST(Sentence, OfZerosHasItsIntervalInTheirUnit) {
     EXPECT_EQ(sentence_of(s),
               "Splash height: SPH and interFoam are both 0, scatter of the mean ±0.14 m: no difference shown.");
     s.values = {0.15, 0}, s.size = 0.075, s.verdict = Verdict::differ, s.interval = s.statistics = 0.03;
-    EXPECT_EQ(sentence_of(s), "Splash height: SPH 0.1500 m, interFoam 0, scatter of the mean ±0.03 m: they differ.");
+    EXPECT_EQ(sentence_of(s), "Splash height: SPH 0.150 m, interFoam 0, scatter of the mean ±0.03 m: they differ.");
 }
 
 /// Per cent of the mean of something and nearly nothing are 200, whatever the nothing is.

@@ -120,12 +120,12 @@ TEST(Sweep, TheTableOverTheSpeedHasMethodsAndFormulasAndNeedsOneMethodOnly) {
         return begin == text.npos ? text : text.substr(begin, text.find('\n', begin) - begin);
     };
     EXPECT_LT(both.find("4 m/s |"), both.find("5 m/s |")) << both;
-    EXPECT_NE(row(both, "SPH").find("400 ± 1 |"), std::string::npos) << row(both, "SPH");
-    EXPECT_NE(row(both, "interFoam").find("660 ± 2 |"), std::string::npos) << row(both, "interFoam");
+    EXPECT_NE(row(both, "SPH").find("400.0 ± 1.0 |"), std::string::npos) << row(both, "SPH");
+    EXPECT_NE(row(both, "interFoam").find("660.0 ± 2.0 |"), std::string::npos) << row(both, "interFoam");
     EXPECT_NE(row(both, "Savitsky 1964").find("– | 3.00 ± 0.30 | 3.00 ± 0.30 |"), std::string::npos)
         << row(both, "Savitsky 1964");
     const Sweep alone = build_sweep("set", {at(4, true), at(5, true)});
-    EXPECT_NE(row(sweep_text(alone), "SPH").find("400 ± 1 |"), std::string::npos) << sweep_text(alone);
+    EXPECT_NE(row(sweep_text(alone), "SPH").find("400.0 ± 1.0 |"), std::string::npos) << sweep_text(alone);
     const std::string page = sweep_html(alone);
     EXPECT_NE(page.find("<a href=\"4 m/s/report.html\">"), std::string::npos);
     EXPECT_NE(page.find("aria-label=\"Running trim"), std::string::npos);

@@ -39,7 +39,7 @@ TEST(Suction, IsTheMeanOfWhatIsKnownAndStandsBeside) {
     EXPECT_DOUBLE_EQ(q->values.front().value, 80);
     EXPECT_EQ(q->unit, "N");
     EXPECT_FALSE(q->judged);
-    EXPECT_NE(q->remark.find("0.02 m2"), std::string::npos) << q->remark;
+    EXPECT_NE(q->remark.find("0.02 m²"), std::string::npos) << q->remark;
 }
 
 TEST(Suction, WarnsWhereWallsHoldWaterAndItDecidesTheForce) {

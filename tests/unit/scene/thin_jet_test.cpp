@@ -79,7 +79,7 @@ TEST(ThinJet, WhatWouldDoDoes) {
             const std::string why = SprayJet{thickness, size}.why_not_resolved();
             const auto at = why.find("near_hull = ");
             ASSERT_NE(at, std::string::npos) << why;
-            EXPECT_TRUE((SprayJet{thickness, std::stod(why.substr(at + 12))}.resolved())) << why;
+            EXPECT_TRUE((SprayJet{thickness, 1e-3 * std::stod(why.substr(at + 12))}.resolved())) << why;
         }
     EXPECT_EQ((SprayJet{0.3, 0.1}.why_not_resolved()), "");
 }
