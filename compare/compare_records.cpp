@@ -24,6 +24,7 @@
 #include "compare/metrics/tank_loads.h"
 #include "compare/metrics/volumes.h"
 #include "compare/metrics/walls.h"
+#include "compare/metrics/wave_peaks.h"
 #include "compare/read/prepare.h"
 #include "compare/reference/planing.h"
 #include "compare/verdict/judge.h"
@@ -293,6 +294,7 @@ Comparison compare_records(std::vector<RunRecord> sources, const CompareOptions&
     add_regular_wave(comparison);
     add_added_by_waves(comparison, options);
     add_sea(comparison);
+    add_wave_peaks(comparison);
     add_volumes(comparison);
     add_free_decay(comparison);
     add_bodies(comparison);

@@ -11,6 +11,7 @@
 #include "methods/methods.h"
 #include "methods/names.h"
 #include "record/code_version.h"
+#include "record/event_threshold.h"
 #include "record/hull_motion.h"
 #include "record/recorded_checks.h"
 #include "record/solid_at_rest.h"
@@ -184,7 +185,7 @@ void note_water_at_start(RunRecord& record, const Scene& scene) {
         record.numbers[energy_of_surface] = surface_energy(scene) / (scene.domain.dimensions == 2 ? scene.span() : 1.0);
 }
 
-/// The filters of peaks, and where the surface is cut.
+/// The filters of peaks, what is an event, and where the surface is cut.
 void note_sampling(RunRecord& record, const Scene& scene) {
     const auto add_filter = [&](const std::string& table, const std::string& name, double filter) {
         if (filter > 0) record.numbers[peak_filter(table, name)] = filter;
@@ -192,6 +193,10 @@ void note_sampling(RunRecord& record, const Scene& scene) {
     for (const PressureProbe& p : scene.sampling.pressure) add_filter("pressure", p.name, p.filter);
     for (const HeightProbe& p : scene.sampling.height) add_filter("height", p.name, p.filter);
     for (const MovingBody& b : scene.bodies) add_filter("body", b.name, b.filter);
+    for (const PressureProbe& p : scene.sampling.pressure)
+        if (p.slam > 0) record.numbers[event_threshold("pressure", p.name)] = p.slam;
+    for (const HeightProbe& p : scene.sampling.height)
+        if (std::isfinite(p.deck)) record.numbers[event_threshold("height", p.name)] = p.deck;
     if (scene.hull && scene.sampling.cuts_x.empty() && scene.sampling.cuts_y.empty()) {
         // from the scene's hull: that of a mesh ends elsewhere at each size
         const Box hull = scene.hull->surface.bounds();
@@ -220,6 +225,12 @@ void note_waves(RunRecord& record, const Scene& scene) {
         const Box at = o.surface.bounds();
         record.numbers["obstacle_x_min_" + o.name] = at.min.x();
         record.numbers["obstacle_x_max_" + o.name] = at.max.x();
+        if (const auto wall = sea_wall_of(scene, o)) {
+            record.numbers["slope_crest_" + o.name] = wall->freeboard;
+            record.numbers["slope_cot_" + o.name] = wall->cot_slope;
+            record.numbers["slope_depth_" + o.name] = wall->depth;
+            record.numbers["slope_plane_" + o.name] = wall->plane;
+        }
     }
     for (const HeightProbe& p : scene.sampling.height) record.numbers["height_x_" + p.name] = p.x;
     for (const WaterBox& v : scene.sampling.volumes) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -176,11 +177,14 @@ struct PressureProbe {
     std::string name;
     Vec3 place;         ///< [m]
     double filter = 0;  ///< its peak is a mean over this time [s]; 0: 5 ms
+    double slam = 0;    ///< peaks above it are events in waves [Pa]; 0: none are counted
 };
 struct HeightProbe {
     std::string name;
     double x = 0, y = 0;  ///< [m]
     double filter = 0;    ///< as a pressure probe's [s]
+    /// A level above it is an event in waves [m]; minus infinity: none is counted.
+    double deck = -std::numeric_limits<double>::infinity();
 };
 
 /// A box in which the volume of water is recorded; in two dimensions it has no ends along y.

@@ -19,13 +19,12 @@ using std::numbers::pi;
 struct HullTable {
     const Table* table = nullptr;
     double centre_x = 0;  ///< of mass [m]
-    double bow = 0;       ///< how far it is ahead of the centre of mass [m]
 };
 std::optional<HullTable> hull_of(const RunRecord& r) {
     const auto table = r.tables.find(hull_motion_table);
     const auto shape = std::ranges::find(r.bodies, std::string(hull_motion_table), &BodyShape::table);
     if (table == r.tables.end() || shape == r.bodies.end()) return {};
-    return HullTable{&table->second, shape->centre.x(), shape->centre.x() - shape->surface.bounds().min.x()};
+    return HullTable{&table->second, shape->centre.x()};
 }
 
 /// Lead of a column's first harmonic over the theory's crest at the centre of mass [deg].
@@ -36,35 +35,6 @@ MeanValue phase_of(const RunRecord& r, const HullTable& hull, const char* column
     const PeriodHarmonics found =
         harmonics_of_periods(hull.table->time, periods, [&](std::size_t i) { return c->values[i]; });
     return mean_lead(found, k * hull.centre_x, periods);
-}
-
-constexpr int parts = 40;  ///< of a period, over one of which an acceleration is taken
-
-/// Highest upward acceleration in each period `ahead` of the centre of mass [m/s2]: the velocity's change over a fortieth
-/// of the period, which passes the wave's first ten harmonics within a tenth and what is left of slams.
-MeanValue highest_acceleration(const HullTable& hull, double ahead, const WavePeriods& periods) {
-    const Column *vz = hull.table->find("vz"), *rate = hull.table->find("trim_rate");
-    if (!vz || !rate) return unknown_value(not_given);
-    const std::vector<double>& time = hull.table->time;
-    const auto velocity = [&](double t) -> double {  // between the rows
-        const auto after = static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());
-        const auto at = [&](std::size_t i) { return vz->values[i] + rate->values[i] * pi / 180 * ahead; };
-        if (after == 0 || after == time.size()) return NAN;
-        const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
-        return at(after - 1) + share * (at(after) - at(after - 1));
-    };
-    const double step = periods.period / parts;
-    std::vector<double> highest;
-    for (int n = 0; n < periods.count; ++n) {
-        double most = -HUGE_VAL;
-        for (int i = 0; i < 4 * parts; ++i) {
-            const double from = periods.from + n * periods.period + (i / 4.0) * step,
-                         a = (velocity(from + step / 2) - velocity(from - step / 2)) / step;
-            if (std::isfinite(a)) most = std::max(most, a);
-        }
-        if (std::isfinite(most)) highest.push_back(most);
-    }
-    return mean_over(highest, periods);
 }
 
 }  // namespace
@@ -84,20 +54,13 @@ void add_hull_in_waves(Comparison& comparison, const WavePeriods& periods) {
         q.judged_in_grid_study = true;
         comparison.quantities.push_back(std::move(q));
     };
-    const std::string lead = "lead of its first harmonic over the theory's crest at the centre of mass",
-                      highest =
-                          fmt::format("highest upward acceleration in each period, over a fortieth of it ({:.3g} s)",
-                                      periods.period / parts);
+    const std::string lead = "lead of its first harmonic over the theory's crest at the centre of mass";
     if (comparison.find("heave_response:hull"))
         add("heave_phase:hull", "Phase of the hull's heave", "deg", lead, 180,
             [&](const RunRecord& r, const HullTable& h) { return phase_of(r, h, "z", periods); });
     if (comparison.find("pitch_response:hull"))
         add("pitch_phase:hull", "Phase of the hull's pitch", "deg", lead + ", bow up", 180,
             [&](const RunRecord& r, const HullTable& h) { return phase_of(r, h, "trim", periods); });
-    add("acceleration_centre:hull", "Acceleration of the centre of mass", "m/s2", highest, 0,
-        [&](const RunRecord&, const HullTable& h) { return highest_acceleration(h, 0, periods); });
-    add("acceleration_bow:hull", "Acceleration of the bow", "m/s2", highest, 0,
-        [&](const RunRecord&, const HullTable& h) { return highest_acceleration(h, h.bow, periods); });
 }
 
 }  // namespace tw

@@ -24,7 +24,6 @@ namespace tw {
 ///   wave_without:BODY    that wave, 2 a [m]
 ///   heave_response:hull, pitch_response:hull   the same of a hull that is free in heave and pitch in a stream, and
 ///   heave_phase:hull, pitch_phase:hull   by how much they are before the theory's crest at its centre of mass [deg]
-///   acceleration_centre:hull, acceleration_bow:hull   highest upward acceleration in each period [m/s2]
 ///   wave_reflection      |a_r| / |a_i| of the first harmonics at two gauges or more, of those before an obstacle where
 ///                        some are behind it [%]: of two by split_waves over the
 ///                        whole time, of more by split_decaying_waves of each period, with the 95 % interval of the mean of

@@ -18,9 +18,7 @@
 #include "record/force_names.h"
 
 namespace tw {
-namespace {
 
-/// A record's force at every step: a method that solves air has it in a table of its own, with the air's.
 const Table* loads_of(const RunRecord& record) {
     for (const char* name : {"forces_total", "forces"})
         if (const auto found = record.tables.find(name);
@@ -28,6 +26,8 @@ const Table* loads_of(const RunRecord& record) {
             return &found->second;
     return nullptr;
 }
+
+namespace {
 
 struct Load {
     std::vector<double> t, f;  ///< [s], [N]

@@ -3,6 +3,10 @@
 
 namespace tw {
 
+/// The table of a record's force at every step: a method that solves air has it in one of its own, `forces_total`, with
+/// the air's; null: it has neither fx nor fz.
+const Table* loads_of(const RunRecord& record);
+
 /// Of what stands in a tank, at rest in its axes (a hull in still water, or all obstacles together): the force of the
 /// water, and of the air where it is solved, over the time that all records cover. It is an event more often than a
 /// settled flow, so besides the means of metrics/forces.h there are, without a statistical interval and judged by runs of

@@ -16,13 +16,17 @@ std::vector<std::string> kinds_of(std::string quantity) {
     if (is("pressure_mean")) return {quantity.replace(0, name.size(), "pressure"), "pressure"};  // of this gauge first
     if (is("pressure", "pressure_peak", "pressure_p99", "body_peak", "strain_peak")) return {"peak"};
     if (is("height", "height_peak", "height_p99", "wave_height", "wave_without", "wave_crest", "wave_trough",
-           "significant_height", "crossing_height", "first_wave", "second_wave", "focused_crest"))
+           "significant_height", "crossing_height", "first_wave", "second_wave", "focused_crest", "run_up"))
         return {"height"};
     if (is("height_mean")) return {"level"};
     if (is("body_impulse")) return {"impulse"};
     if (is("body_depth", "body_speed", "body_turn", "heave_response", "pitch_response", "heave_over_wave",
            "pitch_over_wave", "added_trim", "added_rise"))
         return {"motion"};
+    if (name.starts_with("peak_")) {  // in waves: peak_median:height:H1
+        const std::string of = quantity.substr(name.size() + 1);
+        return {of.starts_with("height") || of.starts_with("run_up") ? "height" : "peak"};
+    }
     if (is("acceleration_centre", "acceleration_bow")) return {"peak"};
     return name.starts_with("splash") || name.starts_with("airborne") ? std::vector<std::string>{"splash"}
                                                                       : std::vector<std::string>{};
@@ -50,6 +54,7 @@ int main_rank(const std::string& name) {
                                                 "added_resistance",
                                                 "acceleration_bow",
                                                 "acceleration_centre",
+                                                "run_up",
                                                 "overtopping",
                                                 "volume_gain",
                                                 "volume_rate",

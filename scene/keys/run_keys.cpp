@@ -22,6 +22,14 @@ Slot probes_filter() {
             [](const Scene& scene) { return scene.sampling.pressure.size() + scene.sampling.height.size(); },
             [](Scene& scene) { scene.sampling.pressure.resize(1); }};
 }
+/// Of the k-th of one kind of them.
+template <class Probe>
+Slot slot_of_probes(std::vector<Probe> Sampling::*probes, double Probe::*value) {
+    return {Slot::In<double>(
+                [probes, value](Scene& scene, std::size_t k) -> double& { return (scene.sampling.*probes)[k].*value; }),
+            [probes](const Scene& scene) { return (scene.sampling.*probes).size(); },
+            [probes](Scene& scene) { (scene.sampling.*probes).resize(1); }};
+}
 
 }  // namespace
 
@@ -244,6 +252,12 @@ Rows probe_keys() {
         {.name = "filter", .unit = "s", .range = positive, .hashed = Hashed::scene, .slot = probes_filter(),
          .fallback = "5 ms",
          .meaning = "Time over which its peak is a mean, as the measurement it is compared with was filtered: 0.44 over the cut-off frequency of a low pass.", .later = true},
+        {.name = "slam", .unit = "Pa", .range = positive, .hashed = Hashed::scene,
+         .slot = slot_of_probes(&Sampling::pressure, &PressureProbe::slam), .fallback = "none are counted",
+         .meaning = "Of a pressure in waves: in how many periods its peak is above this, each a slam.", .later = true},
+        {.name = "deck", .unit = "m", .hashed = Hashed::scene,
+         .slot = slot_of_probes(&Sampling::height, &HeightProbe::deck), .fallback = "none are counted",
+         .meaning = "Of a height in waves: in how many periods the water is above this level, as green water on a deck.", .later = true},
     };
 }
 

@@ -177,6 +177,9 @@ void check_places(Scene& scene, Sections& s) {
     }
     std::size_t pressure = 0, height = 0;
     for (SceneSection& probe : s.probes) {
+        for (const char* event : {"slam", "deck"})
+            if (probe.has(event) && !s.wave.present())
+                probe.fail(event, "events are counted by the periods of waves; expected [wave], or remove this key");
         if (probe.has("pressure")) {
             Vec3& place = scene.sampling.pressure[pressure++].place;
             if (scene.domain.dimensions == 2) place.y() = 0.5 * (box.min.y() + box.max.y());

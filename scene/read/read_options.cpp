@@ -98,15 +98,20 @@ std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& 
         const auto height = p.numbers("height");
         if (pressure.has_value() == height.has_value())
             p.fail("pressure", "expected either pressure = [x, y, z] or height = [x, y]");
-        const double filter = p.entry().sampling.pressure.front().filter;
+        const Sampling of_keys = p.entry().sampling;
+        const double filter = of_keys.pressure.front().filter;
         if (pressure) {
+            if (p.has("deck"))
+                p.fail("deck", "a deck is a level of a height; expected slam, a pressure, or remove this key");
             const std::string name = p.identifier("name", fmt::format("P{}", sampling.pressure.size() + 1));
             take(of_pressures, name, p);
-            sampling.pressure.push_back({name, *pressure, filter});
+            sampling.pressure.push_back({name, *pressure, filter, of_keys.pressure.front().slam});
         } else {
+            if (p.has("slam"))
+                p.fail("slam", "a slam is a peak of a pressure; expected deck, a level, or remove this key");
             const std::string name = p.identifier("name", fmt::format("H{}", sampling.height.size() + 1));
             take(of_heights, name, p);
-            sampling.height.push_back({name, (*height)[0], (*height)[1], filter});
+            sampling.height.push_back({name, (*height)[0], (*height)[1], filter, of_keys.height.front().deck});
         }
         p.finish();
     }

@@ -27,26 +27,31 @@ double first_met(const Surface& surface, double y, double z, double way) {
 
 }  // namespace
 
-std::optional<SeaWall> sea_wall_before(const Scene& scene, const Box& box) {
+std::optional<SeaWall> sea_wall_of(const Scene& scene, const Obstacle& obstacle) {
     if (!scene.has_wave() || scene.motion.kind == Motion::Kind::stream) return {};
-    const Box& tank = scene.domain.box;
-    const double way = wave_scales(scene).direction, begins = way > 0 ? box.min.x() : -box.max.x(),
-                 slack = scene.resolution.near_hull, y = 0.5 * (tank.min.y() + tank.max.y());
+    const Box &tank = scene.domain.box, at = obstacle.surface.bounds();
+    const double way = wave_scales(scene).direction, slack = scene.resolution.near_hull,
+                 y = 0.5 * (tank.min.y() + tank.max.y());
+    const bool closed =
+        at.min.z() <= tank.min.z() + slack && at.min.y() <= tank.min.y() + slack && at.max.y() >= tank.max.y() - slack;
+    if (!closed || !(at.max.z() > 0)) return {};
+    const auto met = [&](double z) { return first_met(obstacle.surface, y, z, way); };
+    const double low = 0.02 * at.max.z(), high = 0.98 * at.max.z(), cot = (met(high) - met(low)) / (high - low);
+    if (!std::isfinite(cot) || cot < -1e-6) return {};
+    const double foot = 0.98 * std::max(tank.min.z(), at.min.z()), below = (met(low) - met(foot)) / (low - foot);
+    return SeaWall{at.max.z(), std::max(cot, 0.0), -tank.min.z(), std::abs(below - cot) < 0.02 * (1 + cot)};
+}
+
+std::optional<SeaWall> sea_wall_before(const Scene& scene, const Box& box) {
+    if (!scene.has_wave()) return {};
+    const double way = wave_scales(scene).direction, begins = way > 0 ? box.min.x() : -box.max.x();
     const Obstacle* highest = nullptr;
     for (const Obstacle& o : scene.obstacles) {
         const Box at = o.surface.bounds();
         if ((way > 0 ? at.min.x() : -at.max.x()) >= begins) continue;
         if (!highest || at.max.z() > highest->surface.bounds().max.z()) highest = &o;
     }
-    if (!highest) return {};
-    const Box at = highest->surface.bounds();
-    const bool closed =
-        at.min.z() <= tank.min.z() + slack && at.min.y() <= tank.min.y() + slack && at.max.y() >= tank.max.y() - slack;
-    if (!closed || !(at.max.z() > 0)) return {};
-    const double low = 0.02 * at.max.z(), high = 0.98 * at.max.z(), foot = first_met(highest->surface, y, low, way),
-                 head = first_met(highest->surface, y, high, way), cot = (head - foot) / (high - low);
-    if (!std::isfinite(cot) || cot < -1e-6) return {};
-    return SeaWall{at.max.z(), std::max(cot, 0.0), -tank.min.z()};
+    return highest ? sea_wall_of(scene, *highest) : std::nullopt;
 }
 
 }  // namespace tw

@@ -3,6 +3,7 @@
 #include "compare/metrics/forces.h"
 #include "compare/metrics/hull_motion.h"
 #include "compare/metrics/wave_analysis.h"
+#include "compare/metrics/wave_peaks.h"
 #include "record/hull_motion.h"
 #include "record/wave_twin.h"
 
@@ -287,6 +288,7 @@ TEST(RegularWaveMeasure, GivesResponsePhaseAndAccelerationOfAFreeHull) {
     c.sources = {hull_in_waves()};
     c.names = {"sph"};
     add_regular_wave(c);
+    add_wave_peaks(c);
     const auto value = [&](const char* name) {
         const Quantity* q = c.find(name);
         return q && q->values[0].known ? q->values[0].value : NAN;

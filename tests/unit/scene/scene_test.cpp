@@ -288,6 +288,12 @@ TEST(Scene, NonsenseIsRefusedAtTheKeyThatIsToBlame) {
            "scene.toml:13:8: [[volume]] name = \"a\": the name a is taken; give every box its own");
     blamed(tank + "[[volume]]\nmin = [0, 0, 3]\nmax = [1, 1, 4]\n",
            "scene.toml:9:7: [[volume]] min = [0, 0, 3]: the box lies outside the domain");
+    blamed(tank + "[[probe]]\nheight = [0.2, 0.5]\ndeck = 0.1\n",
+           "scene.toml:10:8: [[probe]] deck = 0.1: events are counted by the periods of waves");
+    blamed(tank + "[[probe]]\nheight = [0.2, 0.5]\nslam = 100\n",
+           "scene.toml:10:8: [[probe]] slam = 100: a slam is a peak of a pressure; expected deck");
+    blamed(tank + "[[probe]]\npressure = [0.2, 0.5, 0.1]\ndeck = 0.1\n",
+           "scene.toml:10:8: [[probe]] deck = 0.1: a deck is a level of a height; expected slam");
     blamed(tank + "[[probe]]\nname = 'a'\nheight = [0.2, 0.5]\n[[probe]]\nname = 'a'\nheight = [0.3, 0.5]\n",
            "scene.toml:12:8: [[probe]] name = \"a\": the name a is taken; give every probe its own");
     blamed(

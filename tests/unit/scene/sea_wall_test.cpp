@@ -42,6 +42,7 @@ TEST(SeaWall, IsNoneThatWaterPassesUnderOrThatItCoversOrThatStandsBehind) {
     EXPECT_FALSE(wall_of(tank(box(-0.2, -0.24, 0.03), "180 deg")));
     EXPECT_FALSE(wall_of(tank("")));
     EXPECT_FALSE(new_record(scene_of(tank("")), "fvm").numbers.contains("wall_freeboard_behind"));
+    EXPECT_FALSE(new_record(scene_of(tank(box(0.1, -0.1, 0.03))), "fvm").numbers.contains("slope_crest_obstacle1"));
 }
 
 TEST(SeaWall, HasTheSlopeOfItsSeawardFaceAboveStillWater) {
@@ -57,6 +58,22 @@ TEST(SeaWall, HasTheSlopeOfItsSeawardFaceAboveStillWater) {
     ASSERT_TRUE(wall);
     EXPECT_NEAR(wall->freeboard, 0.06, 1e-6);
     EXPECT_NEAR(wall->cot_slope, 1.5, 1e-4);
+    EXPECT_TRUE(wall->plane);
+    const RunRecord record = new_record(scene_of(tank("[[obstacle]]\nname = \"dike\"\nfile = \"dike.stl\"\n")), "sph");
+    EXPECT_NEAR(record.numbers.at("slope_cot_dike"), 1.5, 1e-4);
+    EXPECT_NEAR(record.numbers.at("slope_crest_dike"), 0.06, 1e-6);
+    EXPECT_EQ(record.numbers.at("slope_plane_dike"), 1);
+    Surface bent;  // upright from the floor to z = -0.1 m, then 1 in 1.5
+    for (const double y : {1.0, -1.0})
+        for (const auto& [x, z] : {std::pair{-0.4, -0.24}, {-0.4, -0.1}, {-0.16, 0.06}, {0.2, 0.06}, {0.2, -0.24}})
+            bent.points.emplace_back(x, y, z);
+    for (int i = 0; i < 5; ++i) {
+        bent.triangles.push_back({i, i + 5, (i + 1) % 5});
+        bent.triangles.push_back({(i + 1) % 5, i + 5, (i + 1) % 5 + 5});
+    }
+    bent.triangles.insert(bent.triangles.end(), {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {5, 7, 6}, {5, 8, 7}, {5, 9, 8}});
+    write_stl(scratch() / "dike.stl", bent);
+    EXPECT_FALSE(wall_of(tank("[[obstacle]]\nfile = \"dike.stl\"\n"))->plane);
 }
 
 }  // namespace sea_wall_test
