@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/regular_wave.h"
+#include "compare/reference/vertical_cylinder.h"
 #include "compare/verdict/judge.h"
+#include "record/record_numbers.h"
 
 namespace tw {
 namespace {
@@ -23,6 +27,38 @@ Force force_in(const RunRecord& r, const std::string& column, const WavePeriods&
         if (one) amplitudes.push_back(std::abs(*one));
     return {mean_over(amplitudes, periods), mean_lead(found, 0, periods),
             mean_in_periods(r, "forces", column, periods)};
+}
+
+/// Beside the force on an upright cylinder; of one whose axis is in a wall of the tank half of it was solved.
+void add_cylinder(Comparison& comparison) {
+    for (const RunRecord& r : comparison.sources) {
+        const auto cylinder = upright_cylinder(r);
+        const WaveAtCylinder wave{number_of(r, "wave_height", NAN) / 2,
+                                  2 * std::numbers::pi / number_of(r, "wave_length", NAN), number_of(r, "depth", NAN),
+                                  number_of(r, "density", NAN), number_of(r, "gravity", NAN)};
+        if (!cylinder || number_of(r, "dimensions", 3) != 3 || r.resolution.empty() ||
+            cylinder->high < wave.amplitude || cylinder->low > -0.99 * wave.depth || is_stream(r))
+            continue;
+        const CylinderForce force = mac_camy_fuchs(wave, cylinder->radius);
+        if (!std::isfinite(force.amplitude)) continue;
+        const Box& tank = r.resolution.front().box;
+        const bool half = std::min(std::abs(tank.min.y() - cylinder->y), std::abs(tank.max.y() - cylinder->y)) <
+                          0.01 * cylinder->radius;
+        const double way = number_of(r, "wave_direction", 1),
+                     lead = std::remainder(force.lead - way * wave.k * cylinder->x + (way > 0 ? 0 : std::numbers::pi),
+                                           2 * std::numbers::pi);
+        Reference reference;
+        reference.source = "MacCamy & Fuchs 1954";
+        reference.quantity = "wave_force_x", reference.unit = "N";
+        reference.value = force.amplitude * (half ? 0.5 : 1);
+        reference.remark = fmt::format("linear theory in open water, k a = {:.3g}{}", wave.k * cylinder->radius,
+                                       half ? "; of the half that is solved" : "");
+        comparison.references.push_back(reference);
+        reference.quantity = "wave_force_phase_x", reference.unit = "deg";
+        reference.value = lead * 180 / std::numbers::pi;
+        comparison.references.push_back(reference);
+        return;
+    }
 }
 
 }  // namespace
@@ -65,6 +101,7 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
         if (q.name == "wave_drift_x") q.scale = largest;
         comparison.quantities.push_back(std::move(q));
     }
+    add_cylinder(comparison);
 }
 
 }  // namespace tw
