@@ -58,12 +58,14 @@ struct StateEquation {
     /// the first order. With the density of `deviation` the water below sags, and in a stream the rise of pressure from
     /// the inlet on slows it down, by 7 mm of head in 1.3 m of water at c0 = 40 m/s.
     float deviation_of_lattice(double rho0, double p) const {
-        double drho = deviation(rho0, p);
-        for (int i = 0; i < 30; ++i) {
-            const double ratio = std::min(1 + drho / rho0, 1.5);  // no lattice bears more than a quarter of rho0 c0^2
-            drho = deviation(rho0, p * ratio * ratio);
+        float drho = deviation(rho0, p);
+        for (int i = 0; i < 30; ++i) {  // a handful, unless p is near the most that a lattice bears
+            const double ratio = std::min(1 + double(drho) / rho0, 1.5);  // a quarter of rho0 c0^2
+            const float next = deviation(rho0, p * ratio * ratio);
+            if (next == drho) break;
+            drho = next;
         }
-        return static_cast<float>(drho);
+        return drho;
     }
 #endif
 

@@ -9,6 +9,7 @@
 
 #include "compare/metrics/wave_peaks.h"
 #include "compare/reference/run_up_formulas.h"
+#include "compared_peaks.h"
 #include "record/raster.h"
 #include "record/solid_at_rest.h"
 
@@ -77,14 +78,6 @@ RunRecord on_slope(int periods, Level level, bool mirrored = false, bool gap = f
     return r;
 }
 double wave(double t) { return 0.01 - 0.11 * std::cos(2 * pi * t / T); }
-
-Comparison compared(const RunRecord& r) {
-    Comparison c;
-    c.sources = {r};
-    c.names = {"fvm"};
-    add_wave_peaks(c);
-    return c;
-}
 
 TEST(RunUp, IsTheHighestWaterlineInEachPeriodFromEitherSide) {
     for (const bool mirrored : {false, true}) {

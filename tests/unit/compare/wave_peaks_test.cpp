@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compared_peaks.h"
 #include "record/event_threshold.h"
 #include "record/run_record.h"
 
@@ -24,13 +25,6 @@ RunRecord in_waves(double duration) {
     r.numbers = {
         {"wave_period", T}, {"wave_length", 1}, {"wave_direction", 1}, {"mean_from", 2}, {"duration", duration}};
     return r;
-}
-Comparison compared(const RunRecord& r) {
-    Comparison c;
-    c.sources = {r};
-    c.names = {"fvm"};
-    add_wave_peaks(c);
-    return c;
 }
 double value(const Comparison& c, const std::string& name) {
     const Quantity* q = c.find(name);
