@@ -6,12 +6,12 @@
 
 namespace tw {
 
-// What the record of a scene's twin is known by: the run of a scene with a wave without its free bodies (the empty twin),
-// or, before a hull in a stream, without the wave (the calm twin).
+// What the record of a scene's twin is known by: the run of a scene with a wave without its free bodies or obstacles (the
+// empty twin), or, before a hull in a stream, without the wave (the calm twin).
 
 /// Attribute of its record: the run hash of the whole scene's run.
 inline constexpr std::string_view wave_twin_of_run = "wave_twin_of";
-/// An empty twin's height gauge at the place of a body.
+/// An empty twin's height gauge at the place of a body, or of an obstacle.
 inline std::string gauge_of_empty_twin(const std::string& body) { return "without_" + body; }
 /// Of both kinds: beside FOLDER/METHOD lies FOLDER/<this>/METHOD.
 inline constexpr std::string_view empty_twins_folder = "without_bodies", calm_twins_folder = "without_wave";

@@ -10,7 +10,7 @@ std::optional<CampaignRun> wave_twin_of(const CampaignRun& run) {
     request.overrides.wave_twin = true;
     request.snapshots = false;
     return CampaignRun{run.name + " without " + left_out_of_twin(run.plan.scene), run.method, plan_run(request),
-                       run.folder.parent_path() / folder_of_coarser_members(run.plan.scene) / run.folder.filename()};
+                       run.folder.parent_path() / folder_of_wave_twin(run.plan.scene) / run.folder.filename()};
 }
 
 }  // namespace tw::app

@@ -34,6 +34,9 @@ namespace tw {
 ///   wave_force_x, wave_force_z   of what stands fixed, a hull that is held too, without bodies: amplitude of the first harmonic [N]
 ///   wave_force_phase_x, _z       by how much it is before the theory's crest at x = 0 [deg]
 ///   wave_drift_x                 mean force along x [N]
+///   wave_force_over_wave_x, _z   of a single obstacle whose empty twin the records were given: that amplitude over the one
+///                        of the wave at its place in that twin, of the same period [N/m]; wave_force_lead_x, _z: the phase
+///                        before that wave's crest [deg]; wave_without:OBSTACLE
 ///   wave_loss            of three gauges or more: what the incident wave loses of its height in one of its lengths [%]
 /// They are judged by ladders. Call it after add_probes.
 void add_regular_wave(Comparison& comparison);

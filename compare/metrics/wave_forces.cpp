@@ -6,6 +6,7 @@
 
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/regular_wave.h"
+#include "compare/metrics/wave_without.h"
 #include "compare/reference/vertical_cylinder.h"
 #include "compare/verdict/judge.h"
 #include "record/record_numbers.h"
@@ -29,6 +30,64 @@ Force force_in(const RunRecord& r, const std::string& column, const WavePeriods&
             mean_in_periods(r, "forces", column, periods)};
 }
 
+/// The force over the wave at the obstacle's place in the run without it, period by period: how well the wave is made and
+/// what it loses on its way are in both. Its lead is that over the crest of that wave there.
+void add_forces_over_wave(Comparison& comparison, const std::string& unit, const WavePeriods& periods) {
+    std::string obstacle;
+    for (const RunRecord& r : comparison.sources)
+        if (obstacle.empty()) obstacle = obstacle_left_out(r);
+    if (obstacle.empty()) return;
+    std::vector<WaveWithout> waves;
+    for (const RunRecord& r : comparison.sources) waves.push_back(wave_without(r, obstacle, periods));
+    const std::string missing = without_twin(comparison, waves, "obstacle");
+    for (const std::string axis : {"x", "z"}) {
+        const std::string way = axis == "x" ? "along x" : "upward",
+                          over = fmt::format(
+                              "the first harmonic of the surface at the place of {} in the run without "
+                              "it, period by period, mean over {} whole periods{}",
+                              obstacle, periods.count, missing);
+        Quantity amplitude =
+                     new_quantity("wave_force_over_wave_" + axis,
+                                  fmt::format("Wave force {} over the wave without {}", way, obstacle), unit + "/m",
+                                  "amplitude of the first harmonic of the force on it over that of " + over),
+                 phase = new_quantity("wave_force_lead_" + axis,
+                                      fmt::format("Lead of the wave force {} over the wave without {}", way, obstacle),
+                                      "deg", "phase of the first harmonic of the force on it before that of " + over);
+        for (std::size_t k = 0; k < waves.size(); ++k) {
+            const RunRecord& r = comparison.sources[k];
+            const Column* force = r.series("forces", "f" + axis);
+            if (!force || !waves[k].known) {
+                const MeanValue none = unknown_value(force ? "no run without it counts" : not_given);
+                amplitude.values.push_back(none), phase.values.push_back(none);
+                continue;
+            }
+            PeriodHarmonics ratios = harmonics_of_periods(r.tables.at("forces").time, periods,
+                                                          [&](std::size_t i) { return force->values[i]; });
+            std::vector<double> amplitudes;
+            for (std::size_t n = 0; n < ratios.size(); ++n) {
+                const auto& wave = waves[k].wave[n];
+                if (ratios[n] && wave && std::abs(*wave) > 0)
+                    amplitudes.push_back(std::abs(*(ratios[n] = *ratios[n] / *wave)));
+                else
+                    ratios[n].reset();
+            }
+            amplitude.values.push_back(mean_over(amplitudes, periods));
+            phase.values.push_back(mean_lead(ratios, 0, periods));
+        }
+        phase.scale = 180;
+        for (Quantity* q : {&amplitude, &phase}) {
+            beside(*q);
+            q->judged_in_grid_study = true;
+            comparison.quantities.push_back(std::move(*q));
+        }
+    }
+    for (const RunRecord& r : comparison.sources)
+        if (const double height = number_of(r, "wave_height", NAN); std::isfinite(height)) {
+            add_wave_without(comparison, obstacle, waves, height, periods);
+            return;
+        }
+}
+
 /// Beside the force on an upright cylinder; of one whose axis is in a wall of the tank half of it was solved.
 void add_cylinder(Comparison& comparison) {
     for (const RunRecord& r : comparison.sources) {
@@ -44,19 +103,23 @@ void add_cylinder(Comparison& comparison) {
         const Box& tank = r.resolution.front().box;
         const bool half = std::min(std::abs(tank.min.y() - cylinder->y), std::abs(tank.max.y() - cylinder->y)) <
                           0.01 * cylinder->radius;
-        const double way = number_of(r, "wave_direction", 1),
-                     lead = std::remainder(force.lead - way * wave.k * cylinder->x + (way > 0 ? 0 : std::numbers::pi),
-                                           2 * std::numbers::pi);
-        Reference reference;
-        reference.source = "MacCamy & Fuchs 1954";
-        reference.quantity = "wave_force_x", reference.unit = "N";
-        reference.value = force.amplitude * (half ? 0.5 : 1);
-        reference.remark = fmt::format("linear theory in open water, k a = {:.3g}{}", wave.k * cylinder->radius,
-                                       half ? "; of the half that is solved" : "");
-        comparison.references.push_back(reference);
-        reference.quantity = "wave_force_phase_x", reference.unit = "deg";
-        reference.value = lead * 180 / std::numbers::pi;
-        comparison.references.push_back(reference);
+        const double way = number_of(r, "wave_direction", 1);
+        const auto add = [&](const std::string& quantity, const std::string& unit, double value) {
+            if (!comparison.find(quantity)) return;
+            Reference reference;
+            reference.source = "MacCamy & Fuchs 1954";
+            reference.quantity = quantity, reference.unit = unit, reference.value = value;
+            reference.remark = fmt::format("linear theory in open water, k a = {:.3g}{}", wave.k * cylinder->radius,
+                                           half ? "; of the half that is solved" : "");
+            comparison.references.push_back(std::move(reference));
+        };
+        const double solved = force.amplitude * (half ? 0.5 : 1), against = way > 0 ? 0 : 180;
+        const auto degrees = [](double angle) { return std::remainder(angle, 360); };
+        const double lead = force.lead * 180 / std::numbers::pi + against;
+        add("wave_force_x", "N", solved);
+        add("wave_force_phase_x", "deg", degrees(lead - way * wave.k * cylinder->x * 180 / std::numbers::pi));
+        add("wave_force_over_wave_x", "N/m", solved / wave.amplitude);
+        add("wave_force_lead_x", "deg", degrees(lead));
         return;
     }
 }
@@ -101,6 +164,7 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
         if (q.name == "wave_drift_x") q.scale = largest;
         comparison.quantities.push_back(std::move(q));
     }
+    add_forces_over_wave(comparison, unit, periods);
     add_cylinder(comparison);
 }
 

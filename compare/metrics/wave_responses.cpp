@@ -9,9 +9,9 @@
 
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/regular_wave.h"
+#include "compare/metrics/wave_without.h"
 #include "compare/verdict/judge.h"
 #include "record/hull_motion.h"
-#include "record/wave_twin.h"
 
 namespace tw {
 namespace {
@@ -20,11 +20,9 @@ using std::numbers::pi;
 
 /// Amplitude of the first harmonic of a series in each period; none where it has too few samples.
 using Amplitudes = std::vector<std::optional<double>>;
-template <class OfRow>
-Amplitudes amplitudes_of(const std::vector<double>& time, const WavePeriods& periods, OfRow of_row) {
+Amplitudes amplitudes_of(const PeriodHarmonics& harmonics) {
     Amplitudes found;
-    for (const auto& one : harmonics_of_periods(time, periods, of_row))
-        found.push_back(one ? std::optional(std::abs(*one)) : std::nullopt);
+    for (const auto& one : harmonics) found.push_back(one ? std::optional(std::abs(*one)) : std::nullopt);
     return found;
 }
 
@@ -57,9 +55,7 @@ std::vector<Mover> movers_of(const Comparison& comparison) {
 
 /// What one record tells of a body.
 struct BodyInWave {
-    bool has_twin = false;
     Amplitudes heave, pitch;  ///< [m], [rad]
-    Amplitudes wave;          ///< where it is, in the empty twin [m]
 };
 BodyInWave body_in(const RunRecord& r, const Mover& mover, const WavePeriods& periods) {
     BodyInWave b;
@@ -68,50 +64,13 @@ BodyInWave body_in(const RunRecord& r, const Mover& mover, const WavePeriods& pe
         const Table& t = table->second;
         const Column *z = t.find("z"), *trim = t.find("trim"), *q0 = t.find("q0"), *qy = t.find("qy");
         if (z && (trim || (q0 && qy))) {
-            b.heave = amplitudes_of(t.time, periods, [&](std::size_t i) { return z->values[i]; });
-            b.pitch = amplitudes_of(t.time, periods, [&](std::size_t i) {
+            b.heave = amplitudes_of(harmonics_of_periods(t.time, periods, [&](std::size_t i) { return z->values[i]; }));
+            b.pitch = amplitudes_of(harmonics_of_periods(t.time, periods, [&](std::size_t i) {
                 return trim ? trim->values[i] * pi / 180 : 2 * std::atan2(qy->values[i], q0->values[i]);
-            });
+            }));
         }
     }
-    if (const Column* level = r.series(std::string(empty_twin_table), gauge_of_empty_twin(mover.name))) {
-        b.has_twin = true;
-        b.wave = amplitudes_of(r.tables.at(std::string(empty_twin_table)).time, periods,
-                               [&](std::size_t i) { return level->values[i]; });
-    }
     return b;
-}
-
-/// Why responses are over the wave that was asked for, of each record without its empty twin.
-std::string without_twin(const Comparison& comparison, const std::vector<BodyInWave>& bodies) {
-    std::string text;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        if (bodies[k].has_twin) continue;
-        const std::string why = text_of(comparison.sources[k], std::string(no_wave_twin), "it was not run");
-        text += fmt::format("; no run without the body counts ({}: {})", method_label(comparison.names[k]), why);
-    }
-    return text;
-}
-
-void add_wave_without(Comparison& comparison, const std::string& body, const std::vector<BodyInWave>& bodies,
-                      double height, const WavePeriods& periods) {
-    Quantity q = new_quantity("wave_without:" + body, fmt::format("Wave at the place of {}, without it", body), "m",
-                              fmt::format("twice the amplitude of the first harmonic in the run without the body, mean "
-                                          "over {} whole periods",
-                                          periods.count));
-    for (const BodyInWave& b : bodies) {
-        std::vector<double> heights;
-        for (const auto& a : b.wave)
-            if (a) heights.push_back(2 * *a);
-        q.values.push_back(b.has_twin ? mean_over(heights, periods) : unknown_value("no run without the body counts"));
-    }
-    beside(q);
-    q.judged_in_grid_study = true;
-    Reference reference;
-    reference.quantity = q.name, reference.unit = "m", reference.value = height;
-    reference.source = "the wave as asked for", reference.remark = "its height from trough to crest";
-    comparison.references.push_back(reference);
-    comparison.quantities.push_back(std::move(q));
 }
 
 }  // namespace
@@ -126,12 +85,14 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
     for (const Mover& mover : movers_of(comparison)) {
         const std::string &name = mover.name, words_of = mover.in_words();
         std::vector<BodyInWave> bodies;
+        std::vector<WaveWithout> waves;
         bool any_twin = false, any_response = false;
         for (const RunRecord& r : comparison.sources) {
             bodies.push_back(body_in(r, mover, periods));
-            any_twin |= bodies.back().has_twin;
+            waves.push_back(wave_without(r, name, periods));
+            any_twin |= waves.back().known;
         }
-        const std::string missing = mover.is_hull() ? "" : without_twin(comparison, bodies);
+        const std::string missing = mover.is_hull() ? "" : without_twin(comparison, waves, "body");
         for (const bool heave : {true, false}) {
             const std::string motion = heave ? "heave" : "pitch", label = heave ? "Heave" : "Pitch";
             const double factor = heave ? 1 : length / (2 * pi);  // over the slope k a
@@ -142,14 +103,15 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
                     fmt::format("amplitude of the first harmonic over {}, mean over {} whole periods{}", over,
                                 periods.count, missing));
                 double largest = 0;
-                for (const BodyInWave& b : bodies) {
-                    const Amplitudes& of = heave ? b.heave : b.pitch;
+                for (std::size_t i = 0; i < bodies.size(); ++i) {
+                    const Amplitudes& of = heave ? bodies[i].heave : bodies[i].pitch;
                     if (of.empty())
                         q.values.push_back(unknown_value(not_given));
-                    else if (of_twin && !b.has_twin)
+                    else if (of_twin && !waves[i].known)
                         q.values.push_back(unknown_value("no run without the body counts"));
                     else
-                        q.values.push_back(mean_ratio(of, of_twin ? b.wave : asked, factor, periods));
+                        q.values.push_back(
+                            mean_ratio(of, of_twin ? amplitudes_of(waves[i].wave) : asked, factor, periods));
                     if (q.values.back().known) largest = std::max(largest, q.values.back().value);
                 }
                 if (largest < 1e-6) return;  // it is not free to
@@ -170,7 +132,7 @@ void add_wave_responses(Comparison& comparison, const WavePeriods& periods) {
                         "part of the response)",
                 false);
         }
-        if (any_twin && any_response) add_wave_without(comparison, name, bodies, height, periods);
+        if (any_twin && any_response) add_wave_without(comparison, name, waves, height, periods);
     }
 }
 

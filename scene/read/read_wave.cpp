@@ -324,11 +324,12 @@ void settle_wave(Scene& scene, Sections& s) {
 
 void check_wave(const Scene& scene, Sections& s) {
     if (!scene.has_wave()) return;
-    if (scene.wave_asked.empty_twin == "on" && (!scene.wave || !has_responses(scene)))
+    if (scene.wave_asked.empty_twin == "on" && (!scene.wave || !has_empty_twin(scene)))
         s.wave.fail("empty_twin",
-                    scene.wave ? "no free rigid body is in the tank whose response could be over the wave there; "
-                                 "expected [[body]], or remove this key"
-                               : "responses are given in regular waves; remove this key");
+                    scene.wave
+                        ? "no free rigid body and no obstacle is in the tank whose response or load could be over "
+                          "the wave there; expected [[body]] or [[obstacle]], or remove this key"
+                        : "responses are given in regular waves; remove this key");
     if (scene.wave_asked.calm_twin == "on" && (!scene.wave || !scene.hull || !in_stream(scene)))
         s.wave.fail("calm_twin",
                     "what a wave adds is given of a hull in a stream with a regular wave; remove this key");

@@ -362,6 +362,51 @@ TEST(RegularWaveMeasure, GivesForceAndDriftOfWhatStandsFixed) {
     EXPECT_FALSE(c.find("wave_drift_z")) << "it would hold the buoyancy";
 }
 
+TEST(RegularWaveMeasure, GivesTheForceOnAnObstacleOverTheWaveOfTheRunWithoutIt) {
+    Comparison c;
+    c.sources = {tank(0.04, 0), tank(0.04, 0)};
+    c.names = {"sph", "fvm"};
+    for (const std::size_t k : {0, 1}) {
+        RunRecord& r = c.sources[k];
+        r.numbers["wave_height"] = 0.04;
+        Table& forces = r.table("forces");
+        for (double t = 0; t < 9; t += 0.003) {
+            // 300 N a metre of the wave, 0.5 rad behind its crest, while the wave loses height
+            const double angle = 2 * pi / 0.8 * t, wave = (k == 0 ? 0.018 : 0.015) * (1 - 0.02 * t);
+            std::size_t row = forces.append(t);
+            forces.set(row, "fx", "N", 1.5 + 300 * wave * std::cos(angle - 0.5));
+            forces.set(row, "fz", "N", 20 * wave * std::cos(angle + 1));
+            if (k == 1) continue;
+            Table& level = r.table(std::string(empty_twin_table));
+            row = level.append(t);
+            level.set(row, gauge_of_empty_twin("pile"), "m", wave * std::cos(angle));
+            level.set(row, "before", "m", wave * std::cos(angle + 2));
+        }
+    }
+    add_regular_wave(c);
+    const Quantity *over = c.find("wave_force_over_wave_x"), *lead = c.find("wave_force_lead_x"),
+                   *wave = c.find("wave_without:pile");
+    ASSERT_TRUE(over && lead && wave);
+    EXPECT_NEAR(over->values[0].value, 300, 0.5);
+    EXPECT_LT(over->values[0].half_width, 0.5) << "what both lose as time goes on is not scatter";
+    EXPECT_NEAR(lead->values[0].value, -0.5 * 180 / pi, 0.1);
+    EXPECT_NEAR(wave->values[0].value, 0.036 * (1 - 0.02 * 5.77), 5e-5);
+    EXPECT_EQ(over->unit, "N/m");
+    EXPECT_FALSE(over->values[1].known) << "it has no run without the obstacle";
+    EXPECT_NE(over->definition.find("no run without the obstacle counts (interFoam: it was not run)"),
+              std::string::npos)
+        << over->definition;
+    EXPECT_NEAR(c.find("wave_force_over_wave_z")->values[0].value, 20, 0.1);
+
+    // of two obstacles the force is a sum, and it is over no one wave
+    Table& level = c.sources[0].table(std::string(empty_twin_table));
+    for (std::size_t row = 0; row < level.time.size(); ++row) level.set(row, gauge_of_empty_twin("pier"), "m", 0);
+    c.quantities.clear();
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("wave_force_over_wave_x"));
+    EXPECT_TRUE(c.find("wave_force_x"));
+}
+
 TEST(RegularWaveMeasure, IsAbsentWithoutAWave) {
     Comparison c;
     c.sources = {tank(0.04, 0)};

@@ -8,6 +8,7 @@
 
 #include "compare/metrics/regular_wave.h"
 #include "record/solid_at_rest.h"
+#include "record/wave_twin.h"
 
 namespace tw::test {
 namespace vertical_cylinder_test {
@@ -100,6 +101,14 @@ TEST(VerticalCylinder, HasItsReferenceWhereItStandsFromFloorToAboveTheSurface) {
     EXPECT_NEAR(behind[1], at_zero[1] - 36, 1e-6) << "a tenth of a wave later";
     ASSERT_EQ(half.size(), 2);
     EXPECT_NEAR(half[0], at_zero[0] / 2, 1e-9);
+    RunRecord with_twin = beside(prism(64, 0.1, 0, -0.3, 0.3));
+    Table& level = with_twin.table(std::string(empty_twin_table));
+    for (int i = 0; i <= 4000; ++i)
+        level.set(level.append(0.002 * i), gauge_of_empty_twin("pile"), "m", 0.02 * std::cos(2 * pi / 0.8 * 0.002 * i));
+    const std::vector<double> over_wave = references(with_twin);  // force, phase and both over the wave, in this order
+    ASSERT_EQ(over_wave.size(), 4);
+    EXPECT_NEAR(over_wave[2], over_wave[0] / 0.03, 1e-9);
+    EXPECT_NEAR(over_wave[3], at_zero[1], 1e-9) << "over the crest at the axis, wherever that is";
     EXPECT_TRUE(references(beside(prism(64, 0, 0, -0.3, -0.1))).empty()) << "water runs over it";
     EXPECT_TRUE(references(beside(prism(64, 0, 0, -0.1, 0.3))).empty()) << "and under it";
     RunRecord back = beside(prism(64, 0, 0, -0.3, 0.3));

@@ -72,7 +72,8 @@ TEST(EmptyTwin, IsWantedInTwoDimensionsWithAFreeBodyInARegularWave) {
     std::string empty = box_in_waves();
     empty.erase(empty.find("[[body]]"));
     EXPECT_FALSE(wants_wave_twin(scene_of(empty)));
-    EXPECT_NE(complaint(with(empty, "length = 1\n", "length = 1\nempty_twin = \"on\"\n")).find("no free rigid body"),
+    EXPECT_NE(complaint(with(empty, "length = 1\n", "length = 1\nempty_twin = \"on\"\n"))
+                  .find("no free rigid body and no obstacle"),
               std::string::npos);
     EXPECT_EQ(scene_of(box_in_waves("empty_twin = \"off\"\n")).hash, scene_of(box_in_waves()).hash);
     SceneOverrides twin;
@@ -80,6 +81,38 @@ TEST(EmptyTwin, IsWantedInTwoDimensionsWithAFreeBodyInARegularWave) {
     EXPECT_NE(complaint(with(box_in_waves(), "\"before\"", "\"without_box\""), twin)
                   .find("a height gauge is named without_box"),
               std::string::npos);
+}
+
+/// A column that stands at the wall y = 0 of a tank in three dimensions.
+std::string column_in_waves(const std::string& wave = "") {
+    std::string text = with(with(box_in_waves(wave), "0.01, 0.12]", "0.2, 0.12]"), "[domain]\ndimensions = 2\n", "");
+    return text.erase(text.find("[[body]]")) +
+           "[[obstacle]]\nname = \"column\"\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\nheight = 0.5\n"
+           "position = [0.05, 0, -0.25]\n";
+}
+
+TEST(EmptyTwin, LeavesObstaclesOutOnRequestWhereNoBodyIsFree) {
+    const std::string on = "empty_twin = \"on\"\n";
+    EXPECT_FALSE(wants_wave_twin(scene_of(column_in_waves())));
+    const Scene s = scene_of(column_in_waves(on)), twin = twin_of(column_in_waves(on));
+    EXPECT_TRUE(wants_wave_twin(s));
+    EXPECT_FALSE(wants_wave_twin(twin));
+    EXPECT_EQ(left_out_of_twin(s), "its obstacles");
+    EXPECT_EQ(s.obstacles.size(), 1);
+    EXPECT_TRUE(twin.obstacles.empty());
+    EXPECT_EQ(twin.sampling.height.back().name, gauge_of_empty_twin("column"));
+    EXPECT_NEAR(twin.sampling.height.back().x, 0.05, 1e-9);
+    EXPECT_NEAR(twin.sampling.height.back().y, 0.01, 1e-9) << "a spacing inside the tank";
+    EXPECT_EQ(twin.run.duration, s.run.duration);
+    EXPECT_EQ(twin.sph.c0, s.sph.c0);
+    EXPECT_EQ(TankWave(twin).surface(0.3), TankWave(s).surface(0.3));
+
+    // beside a free body it stands: the body's response is that in its neighbourhood
+    const std::string both = box_in_waves() +
+                             "[[obstacle]]\nname = \"step\"\nshape = \"box\"\nlength = 0.1\nbeam = 0.1\n"
+                             "height = 0.05\nposition = [0.45, 0, -0.24]\n";
+    EXPECT_EQ(twin_of(both).obstacles.size(), 1);
+    EXPECT_EQ(left_out_of_twin(scene_of(both)), "its bodies");
 }
 
 /// A hull held in a stream with a head wave, two dimensions.
@@ -117,8 +150,8 @@ TEST(CalmTwin, IsMadeWhereTheSceneWantsIt) {
     EXPECT_FALSE(wants_wave_twin(scene_of(hull_in_waves("calm_twin = \"off\"\n"))));
     EXPECT_TRUE(wants_wave_twin(scene_of(hull_in_waves("calm_twin = \"on\"\n"))));
     EXPECT_NE(complaint(box_in_waves("calm_twin = \"on\"\n")).find("a hull in a stream"), std::string::npos);
-    EXPECT_EQ(folder_of_coarser_members(scene_of(hull_in_waves())), calm_twins_folder);
-    EXPECT_EQ(folder_of_coarser_members(scene_of(box_in_waves())), empty_twins_folder);
+    EXPECT_EQ(folder_of_wave_twin(scene_of(hull_in_waves())), calm_twins_folder);
+    EXPECT_EQ(folder_of_wave_twin(scene_of(box_in_waves())), empty_twins_folder);
 }
 
 }  // namespace wave_twin_of_scene_test
