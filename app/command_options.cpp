@@ -183,8 +183,9 @@ void run_options(CLI::App& c, RunCommand& run) {
                   "[run] ranks; the same bits as one");
     CLI::Option* budget = c.add_option("--budget", run.budget,
                                        "choose the sizes: the finest, or the coarser ones, whose runs all together are "
-                                       "predicted to take at most this time, e.g. 5min (the scene's own sizes, however "
-                                       "long they take)")
+                                       "predicted to take at most this time, e.g. 5min; coarser ones where the coarsest "
+                                       "runs take longer than predicted (the scene's own sizes, however long they "
+                                       "take)")
                               ->type_name("TIME")
                               ->excludes(ranks);
     for (const char* size : {"--scale", "--near-hull", "--spacing"}) budget->excludes(c.get_option(size));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numbers>
 
 #include "app/arguments/output.h"
@@ -36,6 +38,14 @@ CoarserMembers::CoarserMembers(RunRequest own, const fs::path& out) {
 }
 
 std::vector<CampaignRun> CoarserMembers::runs() const { return runs_of(plan_.jobs); }
+
+std::vector<std::vector<CampaignRun>> CoarserMembers::by_size() const {
+    std::map<double, std::vector<CampaignRun>, std::greater<>> sizes;
+    for (const GridStudyJob& job : plan_.jobs) sizes[job.run.plan.scene.resolution.near_hull].push_back(job.run);
+    std::vector<std::vector<CampaignRun>> all;
+    for (auto& [near_hull, runs] : sizes) all.push_back(std::move(runs));
+    return all;
+}
 
 double CoarserMembers::seconds() const {
     double sum = 0;

@@ -20,6 +20,7 @@ public:
     CoarserMembers(RunRequest own, const std::filesystem::path& out);
 
     std::vector<CampaignRun> runs() const;  ///< those to be made, cheapest first
+    std::vector<std::vector<CampaignRun>> by_size() const;  ///< the same, size by size, the coarsest first
     double seconds() const;                 ///< predicted, of those that are not finished [s]
     /// "grid triplet: 4 coarser runs and one in a wider box, about 21 s (+ 31 %); --no-twins leaves them out";
     /// what is left out, and runs not similar to the scene's own, below it. `own`: predicted time of the scene's own

@@ -7,6 +7,7 @@
 #include "app/campaign/budget.h"
 #include "app/campaign/campaign.h"
 #include "app/campaign/coarser_members.h"
+#include "app/campaign/plan_again.h"
 #include "app/campaign/report_every.h"
 #include "app/campaign/wave_twin.h"
 #include "app/runs/body_outcome.h"
@@ -240,6 +241,48 @@ std::optional<Made> make_all(const PlannedRun& plan, const Common& common, const
     return made;
 }
 
+/// All runs of one call, and what they follow from.
+struct Ordered {
+    PlannedRun plan;
+    std::optional<CoarserMembers> coarser_members;
+    std::vector<CampaignRun> empty;  ///< twins of the scene's own size without bodies or wave
+
+    CoarserMembers* coarser() { return coarser_members ? &*coarser_members : nullptr; }
+    std::vector<CampaignRun> all(const fs::path& out) const {
+        std::vector<CampaignRun> runs = coarser_members ? coarser_members->runs() : std::vector<CampaignRun>{};
+        runs.insert(runs.end(), empty.begin(), empty.end());
+        for (const std::string& method : methods_of(plan.scene))
+            runs.push_back({method_label(method), method, plan, out / method});
+        return runs;
+    }
+};
+Ordered ordered(RunRequest request, PlannedRun plan, const RunCommand& command, const fs::path& out) {
+    request.ranks = plan.scene.run.ranks;
+    std::vector<CampaignRun> empty = wave_twins_of(plan, out);
+    Ordered runs{std::move(plan), {}, std::move(empty)};
+    if (command.coarser_members) runs.coarser_members.emplace(request, out / "twins");
+    if (runs.coarser_members && !command.overwrite) runs.coarser_members->refuse_others();
+    return runs;
+}
+
+/// Plans again after the coarsest runs, as often as they take too long for the budget. False: stopped on request.
+bool keep_to_budget(Ordered& runs, RunRequest& request, PaidSizes& paid, const RunCommand& command,
+                    const Common& common, const fs::path& out, Campaign& campaign) {
+    const double budget = budget_seconds(command.budget);
+    for (;;) {
+        const std::vector<CampaignRun> all = runs.all(out);
+        campaign.ahead({out, common.words}, all);
+        const Trial trial =
+            try_coarsest(runs.coarser_members->by_size(), all, family_of(command, request), paid, budget, campaign);
+        say(common, trial.said);
+        if (!trial.sizes) return !trial.stopped;
+        paid = *trial.sizes;
+        request.overrides.scale_resolution = paid.scale;
+        runs = ordered(request, plan_run(request), command, out);
+        remember(paid, budget, out);
+    }
+}
+
 }  // namespace
 
 int run_run(const RunCommand& command, const Common& common) {
@@ -249,7 +292,7 @@ int run_run(const RunCommand& command, const Common& common) {
                        .method = command.method,
                        .threads = command.threads,
                        .elsewhere = command.making.elsewhere()};
-    const std::optional<PaidSizes> paid = paid_sizes(command, request, out);
+    std::optional<PaidSizes> paid = paid_sizes(command, request, out);
     if (paid) request.overrides.scale_resolution = paid->scale;
     refuse_report_every(command.making);
     const Comm& started = Comm::world();
@@ -257,21 +300,17 @@ int run_run(const RunCommand& command, const Common& common) {
         throw InputError(
             "--report-every: runs that ranks share are reported at their end; watch them with twinwake watch");
     request.ranks = started.many() ? started.size() : command.ranks;
-    const PlannedRun plan = plan_run(request);
+    PlannedRun plan = plan_run(request);
     const std::vector<std::string> methods = methods_of(plan.scene);
 
     if (started.many()) return run_together(plan, command, common, out);
     if (const std::optional<int> status = run_shared(plan, command, out)) return *status;
     for (const std::string& method : methods) refuse_taken(out / method, method, command);
-    std::optional<CoarserMembers> coarser_members;
-    request.ranks = plan.scene.run.ranks;
-    if (command.coarser_members) coarser_members.emplace(request, out / "twins");
-    if (coarser_members && !command.overwrite) coarser_members->refuse_others();
-    if (!command.making.hand_over && !command.making.collect)
-        say(common, ready_text(methods, plan.scene, &plan.prediction));
-    const std::vector<CampaignRun> empty = wave_twins_of(plan, out);
-    CoarserMembers* const coarser = coarser_members ? &*coarser_members : nullptr;
-    say(common, announcement(plan, paid ? budget_text(command, plan, *paid) : "", empty, coarser, out));
+    Ordered runs = ordered(request, std::move(plan), command, out);
+    const bool made_here = !command.making.hand_over && !command.making.collect;
+    if (made_here) say(common, ready_text(methods, runs.plan.scene, &runs.plan.prediction));
+    say(common,
+        announcement(runs.plan, paid ? budget_text(command, runs.plan, *paid) : "", runs.empty, runs.coarser(), out));
 
     FolderLock lock(out);
     if (paid) remember(*paid, budget_seconds(command.budget), out);
@@ -279,18 +318,24 @@ int run_run(const RunCommand& command, const Common& common) {
     rules.overwrite = command.overwrite, rules.take_finished = !command.overwrite;
     Campaign campaign(common, rules);
     const Study study{out, common.words, rules.overwrite, rules.take_finished};
-    std::vector<CampaignRun> all = coarser_members ? coarser_members->runs() : std::vector<CampaignRun>{};
-    all.insert(all.end(), empty.begin(), empty.end());
-    for (const std::string& method : methods) all.push_back({method_label(method), method, plan, out / method});
-    if (command.making.hand_over) return hand_over(command.making, study, campaign, all, common);
+    if (command.making.hand_over) return hand_over(command.making, study, campaign, runs.all(out), common);
 
     catch_stop_signals();
     ReportEvery pages(command.making, common.words, out, lock);
-    campaign.ahead(study, all);
-    const std::optional<Made> made = make_all(plan, common, out, empty, coarser, campaign);
+    if (paid && made_here && runs.coarser_members && !command.overwrite) {  // else all is run anew behind it
+        CampaignRules one_by_one = rules;
+        one_by_one.jobs = 1;
+        Campaign trial(common, one_by_one);
+        if (!keep_to_budget(runs, request, *paid, command, common, out, trial)) {
+            complain("coarser runs: stopped on request; continue it with --resume");
+            return run_failed;
+        }
+    }
+    campaign.ahead(study, runs.all(out));
+    const std::optional<Made> made = make_all(runs.plan, common, out, runs.empty, runs.coarser(), campaign);
     if (!made) return run_failed;
     pages.end();
-    return report(plan, command, common, out, *made, coarser);
+    return report(runs.plan, command, common, out, *made, runs.coarser());
 }
 
 }  // namespace tw::app

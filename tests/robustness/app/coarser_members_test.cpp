@@ -161,6 +161,25 @@ TEST_F(Command, ABudgetThatPaysForFewSizesAcrossTheBeamSaysWhatTenTake) {
     EXPECT_FALSE(has(said("fine", R"("scale": 1, "near_hull": 0.0162)"), "over ")) << "14 across the beam";
 }
 
+TEST_F(Command, ABudgetIsPlannedAgainWhenTheCoarsestRunsTakeLongerThanPredicted) {
+    write("column.toml", column);
+    // as if the machine were believed three times as fast as the table's
+    const std::string model = nlohmann::json::parse(twinwake({"doctor", "--json", "-"}).out)["processor"];
+    write("cache/twinwake/pace.json", nlohmann::json{{model, {{"sph", {0.35, 0.35, 0.35}}}}}.dump());
+    const Outcome o = twinwake({"run", "column.toml", "--threads", "1", "--budget", "6 s", "--out", "out"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.out, "of the budget of 6 s are used: near_hull = ")) << o.out;
+    const auto sizes = nlohmann::json::parse(content(folder_ / "out/sizes.json"));
+    const auto number_after = [&](const std::string& words) {
+        const std::size_t at = o.out.find(words);
+        return at == std::string::npos ? NAN : std::stod(o.out.substr(at + words.size()));
+    };
+    const double first = number_after("budget of 6 s: near_hull = "), then = number_after("are used: near_hull = ");
+    EXPECT_GT(then, 1.1 * first) << o.out;
+    EXPECT_LE(then, double(sizes["near_hull"]) * (1 + 1e-5));
+    EXPECT_TRUE(has(o.out, fmt::format("SPH at {:g} m", 2 * double(sizes["near_hull"])))) << o.out;
+}
+
 TEST_F(Command, ARunWithABudgetGoesOnAtTheSizesItBeganWith) {
     write("column.toml", column);
     fs::create_directory(folder_ / "out");
