@@ -13,6 +13,19 @@ namespace {
 constexpr double neighbours_within = 1.25;  // spacings
 constexpr double facing = 0.5;              // cosine between a face's normal and the wall's from which it faces it
 constexpr float full_support = 0.4f;        // from which on particles are at a face: half on a flat wall
+constexpr double small = 0.125;             // dp^2: patches below lie in cells of half a spacing
+
+/// Where one patch takes the place of all small ones: of a cell, and of about one direction.
+using Place = std::array<long, 6>;
+Place place_of(const Vec3& x, const Vec3& area, double cell) {
+    Place p;
+    const Vec3 n = area.normalized();
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<Eigen::Index>(a);
+        p[a] = static_cast<long>(std::floor(x[i] / cell)), p[a + 3] = std::lround(2 * n[i]);
+    }
+    return p;
+}
 
 }  // namespace
 
@@ -28,7 +41,31 @@ WaterFilm::WaterFilm(const Surface& surface, int dimensions, double dp) : dp_(dp
         at_start_.push_back(place);
         area_.push_back(samples.area[k]);
     }
+    merge_small();
     find_neighbours();
+}
+
+void WaterFilm::merge_small() {
+    struct Sum {
+        Vec3 moment = Vec3::Zero(), area = Vec3::Zero();
+        double size = 0;
+    };
+    std::map<Place, Sum> merged;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < at_start_.size(); ++k) {
+        const double size = area_[k].norm();
+        if (size >= small * dp_ * dp_) {
+            at_start_[kept] = at_start_[k], area_[kept++] = area_[k];
+        } else if (size > 0) {
+            Sum& sum = merged[place_of(at_start_[k], area_[k], dp_ / 2)];
+            sum.moment += size * at_start_[k], sum.area += area_[k], sum.size += size;
+        }
+    }
+    at_start_.resize(kept), area_.resize(kept);
+    for (const auto& [place, sum] : merged) {
+        at_start_.push_back(sum.moment / sum.size);
+        area_.push_back(sum.area);
+    }
 }
 
 void WaterFilm::find_neighbours() {

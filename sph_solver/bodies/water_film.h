@@ -22,8 +22,8 @@ namespace tw {
 ///
 /// So near a wall the force on the body is the integral of the pressure on its whole surface, the film's and that which
 /// is sampled from particles; the pair forces miss what the particles' images behind the wall do to it. It replaces
-/// those within one spacing of the wall, and does no more beyond two. The faces are patches of at most dp; lap is the
-/// graph Laplacian of neighbours with weights 1 / r^2.
+/// those within one spacing of the wall, and does no more beyond two. The faces are patches of about dp, however finely
+/// the surface is triangulated; lap is the graph Laplacian of neighbours with weights 1 / r^2.
 class WaterFilm {
 public:
     WaterFilm(const Surface& surface, int dimensions, double dp);
@@ -40,6 +40,9 @@ private:
         std::size_t patch;
         double weight;  ///< [1/m2]
     };
+    /// One patch for all small ones of a cell that face about the same way: with neighbours within a length their number
+    /// squared would count.
+    void merge_small();
     void find_neighbours();
     /// Lets the heads of the patches in `film` be the mean of their neighbours'; of dry ones that of no pressure where
     /// the patch of the film itself is.
