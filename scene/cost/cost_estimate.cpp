@@ -30,7 +30,9 @@ namespace {
 constexpr double particle_steps_per_core_second = 2.86e6;           // delta-SPH with renormalised diffusion, h/dp = 1.5
 constexpr double cost_of_flat_particle = 0.37;                      // of one in three dimensions, h/dp = 1.5
 constexpr double start_of_particles = 0.1;                          // seconds: the scene, its walls and the last record
-constexpr double bytes_per_particle = 240, of_several_sizes = 420;  // the prism at beam/20
+// Peaks of runs less the program's own: prism at beam/20 (1.6 million) 480; the demo at b/14 and b/7, a cylinder's entry
+// (26 000 to 130 000, several sizes) 600 to 950.
+constexpr double bytes_per_particle = 480, of_several_sizes = 700;
 constexpr double bytes_of_copies = 50;      // written beside the steps (sph_solver/run_files.h); 47 were measured
 constexpr double bytes_per_open_voxel = 8;  // while a frame is filled; afterwards it keeps one byte
 constexpr double wall_layers = 4;

@@ -4,9 +4,9 @@
 
 namespace tw {
 
-/// What a process of the program takes beside its elements, of a particle run: 52 to 56 MB were the peak of runs of 25
-/// to 700 particles. interFoam's is part of its prediction [bytes].
-inline constexpr double bytes_of_program = 50e6;
+/// What a process of the program takes beside its elements, of a particle run: 52 to 58 MB were the peak of runs of 25
+/// to 3200 particles. interFoam's is part of its prediction [bytes].
+inline constexpr double bytes_of_program = 55e6;
 
 /// Predicted peak of all processes of a run together [bytes].
 inline double all_bytes(const Scene& scene, const MethodCost& cost) {
