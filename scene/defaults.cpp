@@ -155,12 +155,13 @@ double start_up_period(const Scene& scene) {
 /// speed, over which the stream carries it. Until then a hull's flow has settled too.
 double wave_has_passed(const Scene& scene) {
     const WaveScales wave = wave_scales(scene);
-    if (scene.motion.kind == Motion::Kind::stream) {
-        const double way = scene.domain.undamped.max.x() - scene.domain.box.min.x();
-        return start_of(scene) + std::max(settling(scene), 3 * wave.period + way / wave.slowest);
-    }
     if (scene.sea && scene.sea->kind == Sea::Kind::focused)  // what is measured is its crest
         return std::max(0.0, scene.sea->focus_time - 2 * wave.period);
+    if (scene.motion.kind == Motion::Kind::stream) {
+        const Box &all = scene.domain.box, &open = scene.domain.undamped;
+        const double way = wave.comes_from_low_x ? open.max.x() - all.min.x() : all.max.x() - open.min.x();
+        return start_of(scene) + std::max(settling(scene), 3 * wave.period + way / wave.slowest);
+    }
     const double way = begins_in_zone(scene) ? scene.domain.box.size().x() - wave.longest : 0;
     return 3 * wave.period + way / wave.slowest;
 }

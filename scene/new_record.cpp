@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "methods/methods.h"
@@ -82,27 +83,28 @@ std::vector<ResolvedBox> resolution_of(const Scene& scene, const std::string& me
     return resolution_within({largest, scene.domain.box}, finer);
 }
 
-/// A sum of waves: what it is by linear theory, and of a focused one at each gauge its crest to first and second order.
+/// A sum of waves as the gauges meet it: what it is by linear theory, and of a focused one at each gauge its crest to
+/// first and second order.
 void note_sea(RunRecord& record, const Scene& scene) {
     const Sea& sea = *scene.sea;
     record.attributes["sea"] = scene.wave_asked.spectrum;
     record.numbers["sea_significant_height"] = sea.significant_height;
-    record.numbers["sea_peak_period"] = sea.peak_period;
+    record.numbers["sea_peak_period"] = sea.peak_period_met();
     record.numbers["sea_repeat_period"] = sea.repeat_period;
     record.numbers["sea_left_out"] = left_out_by_first_order(sea).both();
     record.numbers["wave_direction"] = sea.waves.direction;
-    std::string components;  // frequency [1/s], wave number [1/m], amplitude [m], phase [rad]
+    std::string components;  // frequency met [1/s], wave number [1/m], amplitude [m], phase [rad]
     for (int n = 0; n < sea.waves.count; ++n)
-        components += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", sea.frequency(n), sea.waves.k[n],
-                                  sea.waves.height[n], sea.waves.phase[n]);
+        components += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", sea.met(n) / (2 * std::numbers::pi),
+                                  sea.waves.k[n], sea.waves.height[n], sea.waves.phase[n]);
     record.attributes["sea_components"] = components;
     if (sea.kind != Sea::Kind::focused) return;
     record.numbers["sea_focus_place"] = sea.focus_place;
     record.numbers["sea_focus_time"] = sea.focus_time;
     for (const HeightProbe& p : scene.sampling.height)
         for (const bool second : {false, true}) {
-            const Crest crest = highest_crest(sea, p.x, sea.focus_time - 2 * sea.peak_period,
-                                              sea.focus_time + 2 * sea.peak_period, second);
+            const double near = 2 * sea.peak_period_met();
+            const Crest crest = highest_crest(sea, p.x, sea.focus_time - near, sea.focus_time + near, second);
             const std::string order = second ? "second" : "first";
             record.numbers["sea_crest_" + order + "_" + p.name] = crest.height;
             record.numbers["sea_crest_time_" + order + "_" + p.name] = crest.time;
@@ -217,7 +219,8 @@ void note_waves(RunRecord& record, const Scene& scene) {
         record.numbers["wave_period"] = wave.encounter_period();
         record.numbers["wave_crest"] = wave.crest;
         record.numbers["wave_trough"] = wave.trough;
-        record.numbers["wave_direction"] = wave.sum.direction;
+        // as it is met: a following wave that the hull overtakes comes from ahead
+        record.numbers["wave_direction"] = wave.sum.speed > 0 ? wave.sum.direction : -wave.sum.direction;
     }
     if (scene.sea) note_sea(record, scene);
     if (!scene.has_wave()) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "waves/dispersion.h"
@@ -43,21 +44,63 @@ void set_frequency(Sea& sea, int n, double omega) {
     sea.waves.k[n] = wave_number(omega, sea.gravity, sea.depth());
 }
 
+/// Frequencies in the water and as they are met in the scene's axes, omega + direction k stream [rad/s].
+class Met {
+public:
+    explicit Met(const SeaOrder& order) : order_(order) {}
+    double operator()(double omega) const {
+        return order_.stream == 0
+                   ? omega
+                   : omega + order_.direction * order_.stream * wave_number(omega, order_.gravity, order_.depth);
+    }
+    /// In the water, of those up to `most`, below which what is met rises with it.
+    double in_water(double met, double most) const {
+        if (order_.stream == 0) return met;
+        return rises_to([&](double omega) { return (*this)(omega) < met; }, most);
+    }
+    /// The highest whose energy runs against the stream fast enough, up to `most`.
+    double highest_that_passes(double most) const {
+        if (order_.stream * order_.direction >= 0) return most;
+        return rises_to(
+            [&](double omega) {
+                const double k = wave_number(omega, order_.gravity, order_.depth);
+                return order_.stream < slowest_passing * group_speed_ratio(k * order_.depth) * omega / k;
+            },
+            most);
+    }
+
+private:
+    template <class Below>
+    static double rises_to(Below below, double most) {
+        double low = 0, high = most;
+        for (int step = 0; step < 200 && high - low > 1e-15 * most; ++step) {
+            const double middle = std::midpoint(low, high);
+            (below(middle) ? low : high) = middle;
+        }
+        return high;
+    }
+    const SeaOrder& order_;
+};
+
 void fill_spectrum(Sea& sea, const SeaOrder& order) {
-    const double fp = 1 / order.peak_period, step = (highest - lowest) * fp / order.components,
-                 gamma = order.kind == Sea::Kind::pierson_moskowitz ? 1 : order.peakedness;
-    const int first = static_cast<int>(std::ceil(lowest * fp / step - 1e-9));
+    const Met met(order);
+    const double fp = 1 / order.peak_period, gamma = order.kind == Sea::Kind::pierson_moskowitz ? 1 : order.peakedness,
+                 top = order.stream == 0 ? highest * fp : met.highest_that_passes(2 * pi * highest * fp) / (2 * pi),
+                 low = met(2 * pi * lowest * fp) / (2 * pi), high = met(2 * pi * top) / (2 * pi),
+                 step = (high - low) / order.components;
+    const auto in_water = [&](double f) { return met.in_water(2 * pi * f, 1.3 * 2 * pi * top) / (2 * pi); };
+    const int first = static_cast<int>(std::ceil(low / step - 1e-9));
     sea.waves.count = order.components;
     sea.repeat_period = 1 / step;
     double all = 0;
     double energy[WaveComponents::most];
     for (int n = 0; n < sea.waves.count; ++n) {
         const double f = (first + n) * step;
-        set_frequency(sea, n, 2 * pi * f);
-        energy[n] = integral(f - step / 2, f + step / 2, fp, gamma);
+        set_frequency(sea, n, 2 * pi * in_water(f));
+        energy[n] = integral(in_water(f - step / 2), in_water(f + step / 2), fp, gamma);
         all += energy[n];
     }
-    const double begin = (first - 0.5) * step, end = (first + sea.waves.count - 0.5) * step;
+    const double begin = in_water((first - 0.5) * step), end = in_water((first + sea.waves.count - 0.5) * step);
     double outside = integral(std::min(0.3 * fp, begin), begin, fp, gamma);
     for (double f = end; f < 40 * fp; f *= 1.25) outside += integral(f, 1.25 * f, fp, gamma);
     sea.beyond = outside / (outside + all);
@@ -66,9 +109,9 @@ void fill_spectrum(Sea& sea, const SeaOrder& order) {
     for (int n = 0; n < sea.waves.count; ++n) {
         const double share = energy[n] / all;
         sea.waves.height[n] = focused ? order.height * share : order.height * std::sqrt(share / 8);
-        sea.waves.phase[n] =
-            focused ? sea.waves.omega[n] * order.focus_time - sea.waves.k[n] * order.direction * order.focus_place
-                    : 2 * pi * random.next();
+        sea.waves.phase[n] = focused
+                                 ? sea.met(n) * order.focus_time - sea.waves.k[n] * order.direction * order.focus_place
+                                 : 2 * pi * random.next();
     }
 }
 
@@ -80,7 +123,7 @@ void fill_two(Sea& sea, const SeaOrder& order) {
         set_frequency(sea, n, 2 * pi / order.periods[from]);
         sea.waves.height[n] = order.heights[from] / 2;
     }
-    sea.repeat_period = 2 * pi / (sea.waves.omega[1] - sea.waves.omega[0]);
+    sea.repeat_period = 2 * pi / (sea.met(1) - sea.met(0));
     sea.peak_period = order.heights[0] >= order.heights[1] ? order.periods[0] : order.periods[1];
 }
 
@@ -108,8 +151,8 @@ public:
         Pairs{sea}.each([&](int i, int j, const BoundWaves& K, double a) {
             const WaveComponents& w = sea.waves;
             const double of_i = w.k[i] * w.direction * x + w.phase[i], of_j = w.k[j] * w.direction * x + w.phase[j];
-            bound_.push_back({K.sum * a, w.omega[i] + w.omega[j], of_i + of_j});
-            if (i != j) bound_.push_back({K.difference * a, w.omega[i] - w.omega[j], of_i - of_j});
+            bound_.push_back({K.sum * a, sea.met(i) + sea.met(j), of_i + of_j});
+            if (i != j) bound_.push_back({K.difference * a, sea.met(i) - sea.met(j), of_i - of_j});
         });
     }
     double operator()(double t) const {
@@ -140,6 +183,7 @@ Sea make_sea(const SeaOrder& order) {
     sea.gravity = order.gravity;
     sea.waves.depth = order.depth;
     sea.waves.direction = order.direction;
+    sea.waves.stream = order.stream;
     sea.peak_period = order.peak_period;
     if (order.kind == Sea::Kind::bichromatic)
         fill_two(sea, order);
@@ -147,11 +191,21 @@ Sea make_sea(const SeaOrder& order) {
         fill_spectrum(sea, order);
     if (order.kind == Sea::Kind::focused) sea.focus_place = order.focus_place, sea.focus_time = order.focus_time;
     sea.significant_height = 4 * std::sqrt(sea.moment(0));
+    sea.waves.current = order.stream;
+    if (order.stream != 0) return sea;
     double transport = 0;  // between still water and the surface, which a return current cancels
     for (int n = 0; n < sea.waves.count; ++n)
         transport += sea.energy(n) * sea.waves.omega[n] / std::tanh(sea.waves.k[n] * order.depth);
     sea.waves.current = -order.direction * transport / order.depth;
     return sea;
+}
+
+double Sea::met(int n) const { return waves.omega[n] + waves.direction * waves.k[n] * waves.stream; }
+
+double Sea::peak_period_met() const {
+    const double omega = 2 * pi / peak_period;
+    return waves.stream == 0 ? peak_period
+                             : 2 * pi / (omega + waves.direction * waves.stream * wave_number(omega, gravity, depth()));
 }
 
 double Sea::moment(int order) const {
@@ -175,7 +229,7 @@ double Sea::pressure_over_density(double x, double z, double t) const {
     for (int n = 0; n < waves.count; ++n) {
         const double k = waves.k[n], D = std::exp(-2 * k * depth());
         p += gravity * waves.height[n] * std::exp(k * z) * (1 + std::exp(-2 * k * (z + depth()))) / (1 + D) *
-             std::cos(k * waves.direction * x - waves.omega[n] * t + waves.phase[n]);
+             std::cos(k * waves.direction * x - met(n) * t + waves.phase[n]);
     }
     return p;
 }
@@ -212,7 +266,7 @@ SecondOrderShare left_out_by_first_order(const Sea& sea) {
 
 Crest highest_crest(const Sea& sea, double x, double from, double to, bool second_order) {
     const SurfaceAt surface(sea, x, second_order);
-    const double step = sea.peak_period / 64;
+    const double step = sea.peak_period_met() / 64;
     Crest best{-HUGE_VAL, from};
     for (double t = from; t <= to; t += step)
         if (const double eta = surface(t); eta > best.height) best = {eta, t};

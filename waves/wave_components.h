@@ -7,7 +7,7 @@ namespace tw {
 
 /// Linear waves on one another, all along x:
 ///
-///   eta = sum_n a_n cos(theta_n),   theta_n = k_n direction x - omega_n t + phase_n
+///   eta = sum_n a_n cos(theta_n),   theta_n = k_n direction (x - stream t) - omega_n t + phase_n
 ///   u   = current + direction sum_n a_n omega_n cosh(k_n (z + d)) / sinh(k_n d) cos(theta_n)
 ///   w   =                     sum_n a_n omega_n sinh(k_n (z + d)) / sinh(k_n d) sin(theta_n)
 ///
@@ -19,13 +19,14 @@ struct WaveComponents {
     double depth = 0;          ///< [m]
     double direction = 1;      ///< 1 towards +x, -1 towards -x
     double current = 0;        ///< mean velocity below the troughs, along x [m/s]
+    double stream = 0;         ///< that carries them, along x [m/s]
     double k[most] = {};       ///< [1/m]
-    double omega[most] = {};   ///< [rad/s]
+    double omega[most] = {};   ///< in the water [rad/s]
     double height[most] = {};  ///< amplitudes a_n [m]
     double phase[most] = {};   ///< [rad]
 };
 
-/// The same at one moment, for many places: Re and Im of a_n omega_n exp(i (phase_n - omega_n t)) / (1 - exp(-2 k_n d)).
+/// The same at one moment, for many places: Re and Im of a_n omega_n exp(i theta_n(x = 0)) / (1 - exp(-2 k_n d)).
 struct WaveMoment {
     int count = 0;  ///< a multiple of `lanes`
     double depth = 0, direction = 1, current = 0;
@@ -38,7 +39,8 @@ inline double wave_surface(const WaveComponents& waves, double x, double t) {
     double eta = 0;
     for (int n = 0; n < waves.count; ++n) {
         double c, s;
-        wave_circle((waves.k[n] * waves.direction * x - waves.omega[n] * t + waves.phase[n]) * 0.159154943091895335769,
+        wave_circle((waves.k[n] * waves.direction * (x - waves.stream * t) - waves.omega[n] * t + waves.phase[n]) *
+                        0.159154943091895335769,
                     c, s);
         eta += waves.height[n] * c;
     }
@@ -54,7 +56,8 @@ inline WaveMoment wave_moment(const WaveComponents& waves, double t) {
     for (int n = 0; n < waves.count; ++n) {
         const double deep = 2 * waves.k[n] * waves.depth;
         double c, s;
-        wave_circle((waves.phase[n] - waves.omega[n] * t) * 0.159154943091895335769, c, s);
+        const double met = waves.omega[n] + waves.direction * waves.k[n] * waves.stream;
+        wave_circle((waves.phase[n] - met * t) * 0.159154943091895335769, c, s);
         now.k[n] = waves.k[n];
         now.floor[n] = deep < 40 ? wave_exp(-deep) : 0;
         const double speed = waves.height[n] * waves.omega[n] / (1 - now.floor[n]);

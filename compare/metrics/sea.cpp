@@ -320,7 +320,9 @@ void add_sea(Comparison& comparison) {
             add_spectrum(comparison, sea, gauge);
     }
     const GaugeSides sides = gauge_sides(comparison);
-    if (sides.before.size() < 2 || sea.focused()) return;
+    // what runs back against a stream has other lengths
+    const bool in_stream = number_of(comparison.sources.front(), "speed", 0) > 0;
+    if (sides.before.size() < 2 || sea.focused() || in_stream) return;
     Quantity q =
         new_quantity("wave_reflection", "Reflection of the waves", "%",
                      "root of reflected over incident energy, by least squares over the gauges at each frequency");

@@ -14,11 +14,15 @@ Dictionary numbers_of(const WaveSum& wave) {
             {"eta", eta}};
 }
 
+/// Its zones know water at rest: they take frequencies as they are met, and heights that make with them the velocities
+/// that the waves have in their water.
 Dictionary numbers_of(const WaveComponents& sea) {
     List k, omega, amplitude, phase;
-    for (int n = 0; n < sea.count; ++n)
-        k.push_back(sea.k[n]), omega.push_back(sea.omega[n]), amplitude.push_back(sea.height[n]),
+    for (int n = 0; n < sea.count; ++n) {
+        const double met = sea.omega[n] + sea.direction * sea.k[n] * sea.stream;
+        k.push_back(sea.k[n]), omega.push_back(met), amplitude.push_back(sea.height[n] * (sea.omega[n] / met)),
             phase.push_back(sea.phase[n]);
+    }
     return {{"depth", sea.depth}, {"direction", sea.direction}, {"current", sea.current}, {"k", k},
             {"omega", omega},     {"amplitude", amplitude},     {"phase", phase}};
 }

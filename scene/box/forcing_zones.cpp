@@ -104,9 +104,28 @@ std::string why_in_stream(const Scene& scene, double wave) {
     return why;
 }
 
+/// A width in whole ones of the largest size, so many at least that a blending is resolved [m].
+double in_whole_sizes(const Scene& scene, double width) {
+    const double size = largest_size(scene);
+    return std::ceil(std::max(width / size, fewest_spacings) - 1e-6) * size;
+}
+
+/// What the stream itself asks for, whatever wave it carries.
+ZoneReach reach_of_stream(const Scene& scene, double gravity) {
+    const auto width = [&](const Running& water, double of_wave) {
+        return in_whole_sizes(scene, of_wave * std::min(wave_of(water, gravity), longest_wave(scene)));
+    };
+    const Running ahead = ahead_of(scene), behind = behind_of(scene);
+    return {has_zone(ahead, scene, gravity) ? width(ahead, ahead_of_wave) : 0,
+            has_zone(behind, scene, gravity) ? width(behind, behind_of_wave) : 0,
+            has_open_sides(scene) ? width(ahead, side_of_wave) : 0};
+}
+
 /// Of a wave in a tank or in a stream: the end that makes it, and how strong its zone is over one that absorbs it
 /// (docs/decisions/088-waves.md).
 constexpr double lengths_that_make = 1.5, lengths_that_absorb = 1, strength_in_tank = 2, strength_in_stream = 1.5;
+/// The same of a following wave that the stream carries back.
+constexpr double lengths_that_make_overtaken = 2, lengths_that_absorb_overtaken = 1.5;
 
 /// gamma of a zone of one wave length that absorbs the longest wave that counts [1/s].
 double strength_that_absorbs(const Scene& scene, const WaveScales& wave) {
@@ -114,22 +133,25 @@ double strength_that_absorbs(const Scene& scene, const WaveScales& wave) {
     return 1.5 * wave.lowest_frequency / std::sqrt(std::tanh(2 * pi / wave.longest * depth));
 }
 
-/// Those of a stream with a head wave, on top of what the stream asks for.
+/// Those of a stream with a wave, on top of what the stream asks for: the end from which its energy comes makes it. One
+/// that is wider than the stream's own waves ask for takes them with less strength; with theirs it would be a wall to the
+/// wave.
 void take_wave(const Scene& scene, ForcingZones& plan) {
     const WaveScales wave = wave_scales(scene);
     const double gamma = strength_that_absorbs(scene, wave);
+    const ZoneReach of_stream = reach_of_stream(scene, scene.water.gravity);
     plan.wave_length = wave.longest;
     plan.frequency = wave.lowest_frequency;
     std::string widths;
     for (ForcingZone& zone : plan.zones) {
         if (zone.axis != 0) continue;
-        const double lengths = std::abs(zone.end - zone.begin) / wave.longest;
-        zone.makes_wave = !zone.high;
+        const double width = std::abs(zone.end - zone.begin), lengths = width / wave.longest,
+                     own = zone.gamma * std::min(1.0, (zone.high ? of_stream.behind : of_stream.ahead) / width);
+        zone.makes_wave = zone.high != wave.comes_from_low_x;
         zone.gamma = zone.makes_wave ? strength_in_stream * gamma
-                                     : std::max(zone.gamma, gamma * std::min(1.0, lengths_that_absorb / lengths));
-        widths +=
-            fmt::format("{} {:.3g} of its lengths",
-                        zone.makes_wave ? "the first makes the wave over" : ", the second absorbs it over", lengths);
+                                     : std::max(own, gamma * std::min(1.0, lengths_that_absorb / lengths));
+        widths += fmt::format("{} {} {:.3g} of its lengths", zone.high ? ", the second" : "the first",
+                              zone.makes_wave ? "makes the wave over" : "absorbs it over", lengths);
     }
     plan.why = widths + "; " + plan.why;
 }
@@ -270,21 +292,18 @@ bool has_zones_by_default(const Scene& scene, double gravity) {
 }
 
 ZoneReach zone_reach(const Scene& scene, double gravity) {
-    const double size = largest_size(scene);
-    const Running ahead = ahead_of(scene), behind = behind_of(scene);
-    const auto whole = [&](double width) { return std::ceil(std::max(width / size, fewest_spacings) - 1e-6) * size; };
-    const auto width = [&](const Running& water, double of_wave) {
-        return whole(of_wave * std::min(wave_of(water, gravity), longest_wave(scene)));
-    };
     ZoneReach reach;
-    if (!scene.has_wave() || waves_stand(scene, gravity))
-        reach = {has_zone(ahead, scene, gravity) ? width(ahead, ahead_of_wave) : 0,
-                 has_zone(behind, scene, gravity) ? width(behind, behind_of_wave) : 0,
-                 has_open_sides(scene) ? width(ahead, side_of_wave) : 0};
+    if (!scene.has_wave() || waves_stand(scene, gravity)) reach = reach_of_stream(scene, gravity);
     if (scene.has_wave()) {
-        const double wave = wave_scales(scene).longest;
-        reach.ahead = std::max(reach.ahead, whole(lengths_that_make * wave));
-        reach.behind = std::max(reach.behind, whole(lengths_that_absorb * wave));
+        const WaveScales wave = wave_scales(scene);
+        double &makes = wave.comes_from_low_x ? reach.ahead : reach.behind,
+               &absorbs = wave.comes_from_low_x ? reach.behind : reach.ahead;
+        const bool overtaken = wave.direction < 0 && wave.comes_from_low_x;
+        const auto widen = [&](double& width, double lengths) {
+            width = std::max(width, in_whole_sizes(scene, lengths * wave.longest));
+        };
+        widen(makes, overtaken ? lengths_that_make_overtaken : lengths_that_make);
+        widen(absorbs, overtaken ? lengths_that_absorb_overtaken : lengths_that_absorb);
     }
     return reach;
 }

@@ -47,10 +47,11 @@ struct ForcingZones {
 /// with twice the strength less than 1 % of that is left, and less than half a per cent of a wave that comes back is
 /// reflected (docs/decisions/088-waves.md). Those of a sum of waves are made for the longest that count (tank_wave.h).
 ///
-/// In a stream with a head wave the zone ahead makes it and the one behind absorbs it, as wide at least as in a tank and
-/// as wide as the stream itself asks for. Frequencies are those of encounter; the one that makes it has 1.5 times the
-/// strength of one that absorbs it over one wave length, the one behind as much as its width needs. A hull's sides are
-/// walls, because zones would take the wave away beside it.
+/// In a stream with a wave the zone from which its energy comes makes it: ahead that of a head wave, and that of a
+/// following wave where the stream is faster than its energy (tank_wave.h), else the one behind. The other absorbs it.
+/// They are as wide at least as in a tank and as the stream itself asks for. The one that makes it has 1.5 times the
+/// strength of one that absorbs it over one wave length, at the frequency of encounter, the other what its width needs.
+/// A hull's sides are walls, because zones would take the wave away beside it.
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.

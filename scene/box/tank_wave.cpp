@@ -10,9 +10,15 @@
 namespace tw {
 namespace {
 
-/// Of the energy, over the scene's axes [m/s].
+/// Of the energy, along the wave's direction over the scene's axes [m/s].
 double group_speed(const RegularWave& wave) {
     return group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water + wave.sum.direction * wave.sum.current;
+}
+double group_speed_in_water(const Sea& sea, double k, double omega) {
+    return group_speed_ratio(k * sea.depth()) * omega / k;
+}
+double group_speed(const Sea& sea, double k, double omega) {
+    return group_speed_in_water(sea, k, omega) + sea.waves.direction * sea.waves.stream;
 }
 
 }  // namespace
@@ -35,7 +41,12 @@ WaveScales wave_scales(const Scene& scene) {
         w.speed = wave.sum.speed;
         w.lowest_frequency = wave.encounter_frequency();
         w.slowest = group_speed(wave);
+        w.comes_from_low_x = wave.sum.direction * w.slowest > 0;
         w.measured = 7 * w.period;
+        if (scene.motion.kind != Motion::Kind::stream || w.direction > 0) return w;
+        const double in_water = group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water;
+        w.slowest = std::abs(w.slowest);
+        w.lowest_frequency = wave.k() * wave.speed_in_water * w.slowest / in_water;
         return w;
     }
     const Sea& sea = *scene.sea;
@@ -43,17 +54,22 @@ WaveScales wave_scales(const Scene& scene) {
     const bool focused = sea.kind == Sea::Kind::focused, two = sea.kind == Sea::Kind::bichromatic;
     double all = 0;
     for (int n = 0; n < sea.waves.count; ++n) all += sea.waves.height[n];
-    w.direction = sea.waves.direction;
+    const WaveComponents& all_of = sea.waves;
+    w.direction = all_of.direction;
+    w.comes_from_low_x = w.direction > 0;  // against a stream those alone are made whose energy passes it
     w.height = focused || two ? 2 * all : sea.significant_height;
     // the highest of a thousand crests of narrow spectra, sqrt(2 ln 1000) sqrt(m0) (Longuet-Higgins 1952)
     w.crest = focused || two ? all : 0.93 * sea.significant_height;
     w.length = sea.length_at_peak();
-    w.period = sea.peak_period;
+    w.period = sea.peak_period_met();
     w.speed = w.length / w.period;
     w.longest = sea.length(low);
-    w.lowest_frequency = sea.waves.omega[low];
+    w.lowest_frequency = sea.met(low);
     w.shortest = sea.length(high);
-    w.slowest = group_speed_ratio(sea.waves.k[high] * sea.depth()) * sea.waves.omega[high] / sea.waves.k[high];
+    w.slowest = group_speed(sea, all_of.k[high], all_of.omega[high]);
+    if (all_of.stream * w.direction < 0)
+        w.lowest_frequency = all_of.omega[low] * group_speed(sea, all_of.k[low], all_of.omega[low]) /
+                             group_speed_in_water(sea, all_of.k[low], all_of.omega[low]);
     w.measured = focused ? 4 * w.period : two ? 3 * sea.repeat_period : sea.repeat_period;
     return w;
 }
@@ -142,10 +158,10 @@ double loss_by_artificial_viscosity(const Scene& scene, double distance) {
     double k, group;
     if (scene.wave) {
         k = scene.wave->k();
-        group = group_speed(*scene.wave);
+        group = std::abs(group_speed(*scene.wave));
     } else {
         k = 2 * std::numbers::pi / scene.sea->length_at_peak();
-        group = group_speed_ratio(k * scene.sea->depth()) * 2 * std::numbers::pi / (scene.sea->peak_period * k);
+        group = group_speed(*scene.sea, k, 2 * std::numbers::pi / scene.sea->peak_period);
     }
     const double h = scene.sph.h_over_dp * scene.resolution.near_hull,
                  nu = scene.sph.alpha * scene.sph.c0 * h / (scene.domain.dimensions == 2 ? 8 : 10);

@@ -6,16 +6,20 @@ namespace tw {
 /// What a scene's wave asks of tank or stream, zones, sizes and times. Of a sum of waves the peak is what a regular one is as a
 /// whole; waves below and above which 5 % of the energy lie are the longest and the shortest that count.
 struct WaveScales {
-    double direction = 1;                      ///< 1: towards +x, -1: towards -x [-]
+    double direction = 1;                      ///< in the water; 1: towards +x, -1: towards -x [-]
     double height = 0;                         ///< significant height of a sum, twice the crest of a focused wave [m]
     double crest = 0;                          ///< as high as the surface comes, in a sum about [m]
     double length = 0, period = 0, speed = 0;  ///< [m], [s], [m/s]
-    double longest = 0, lowest_frequency = 0;  ///< [m], [rad/s]
-    double shortest = 0, slowest = 0;          ///< [m]; speed of the energy of the shortest [m/s]
+    double longest = 0, lowest_frequency = 0;  ///< [m]; of encounter, of following waves see below [rad/s]
+    double shortest = 0, slowest = 0;          ///< [m]; speed of the energy of the shortest in the scene's axes [m/s]
+    bool comes_from_low_x = true;              ///< its energy
     double measured = 0;                       ///< over which means are taken [s]: seven periods, a sea's repeat period
 };
 inline constexpr double waves_that_count = 0.05;  ///< share of the energy left out at each end
-/// Of a scene that has a wave.
+/// Of a scene that has a wave; of a sum in a stream period and speed are those of encounter at the peak. A following wave (direction -1 in a stream U) is carried by its group speed cg against the
+/// stream: where the stream is faster, its energy comes from ahead of the hull, else from behind. How long it stays in a
+/// zone is told by U - cg and not by its frequency of encounter, which is zero where U is its own speed; in place of that
+/// stands omega |U - cg| / cg, omega in the water.
 WaveScales wave_scales(const Scene& scene);
 bool begins_in_zone(const Scene& scene);  ///< with solids in the tank, and in an empty twin
 /// In a tank. A stream begins calm: what its zone has not yet made leaves it with the water.

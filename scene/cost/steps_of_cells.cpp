@@ -134,7 +134,7 @@ double speed_of_crests(const Scene& scene) {
                std::tanh(scene.wave->k() * scene.wave->depth);
     if (!scene.sea) return 0;
     const WaveScales wave = wave_scales(scene);
-    return 2 * std::numbers::pi * wave.crest / wave.period /
+    return 2 * std::numbers::pi * wave.crest / scene.sea->peak_period /
            std::tanh(2 * std::numbers::pi / wave.length * scene.sea->depth());
 }
 

@@ -83,7 +83,7 @@ Rows wave_keys() {
                     "that meet what drifts with it.", .later = true},
         {.name = "direction", .unit = "rad", .range = {-std::numbers::pi, std::numbers::pi}, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::direction), .fallback = "0 deg",
-         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x; in a stream 0, a head wave.", .later = true},
+         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x; in a stream 0 are head waves and \"180 deg\" following ones.", .later = true},
         {.name = "theory", .kind = Kind::choice, .choices = {"auto", "linear", "stream_function"},
          .hashed = Hashed::scene, .slot = slot(&Scene::wave_asked, &WaveOptions::theory),
          .meaning = "Velocities and surface of the wave: linear where that changes neither crest nor speed by more than "
@@ -98,7 +98,7 @@ Rows wave_keys() {
          .meaning = "Significant height of a spectrum, 4 sqrt(m0).", .later = true},
         {.name = "peak_period", .unit = "s", .range = positive, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::peak_period), .fallback = "required with a spectrum and a focused wave",
-         .meaning = "Period at the peak of the spectrum.", .later = true},
+         .meaning = "Period at the peak of the spectrum; in a stream that in its water.", .later = true},
         {.name = "peakedness", .range = {1, 10}, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::peakedness),
          .meaning = "JONSWAP's gamma, of a focused wave too; 1 is the spectrum of Pierson and Moskowitz.", .later = true},

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
+#include "scene/defaults.h"
 #include "scene/read/read.h"
 #include "scene/refined_places.h"
 #include "scene/water/water_blocks.h"
@@ -22,6 +23,9 @@ constexpr double largest_share = 0.9;  ///< of the highest wave
 constexpr double longest_depths = 60;  ///< of a wave length
 constexpr double fewest_sizes = 4;     ///< particles or cells in a wave's height
 constexpr double fewest_along = 20;    ///< in its length
+/// Of a stream over the speed of a following wave that it carries back, from which on no other wave comes with it.
+constexpr double slowest_overtaking = 1.15;
+constexpr double highest_of_thousand = 3.72;  ///< of peaks, over the standard deviation (Longuet-Higgins 1952)
 /// Of a stream over that of the wave: its inlet holds level and speed, and above this the zone that makes the wave no
 /// longer makes up for that (docs/decisions/088-waves.md).
 constexpr double fastest_stream_with_wave = 1.5;
@@ -30,11 +34,6 @@ bool in_stream(const Scene& scene) { return scene.motion.kind == Motion::Kind::s
 
 /// What this version does not make waves in, of streams.
 void refuse_streams(const Scene& scene, Sections& s) {
-    const SceneSection& wave = s.wave;
-    if (scene.wave_asked.spectrum != "regular")
-        wave.fail("spectrum",
-                  "a sum of waves in a stream is not made yet; expected a regular wave (remove this key), or "
-                  "a tank: [tank] with min and max, and no speed");
     if (!scene.bodies.empty())
         s.bodies[0].fail("name",
                          "bodies in a stream with waves are not made yet; expected a hull, held or free in heave and "
@@ -73,13 +72,13 @@ void refuse_surroundings(const Scene& scene, Sections& s) {
 double direction_of(const Scene& scene, const SceneSection& wave) {
     const double angle = scene.wave_asked.direction, along = std::cos(angle);
     if (std::abs(std::sin(angle)) > 1e-6)
-        wave.fail("direction", fmt::format("{:.4g} degrees: oblique waves are not made yet; expected 0 (towards +x) or "
-                                           "\"180 deg\" (towards -x)",
-                                           angle * 180 / std::numbers::pi));
-    if (in_stream(scene) && along < 0)
-        wave.fail("direction",
-                  "following waves are not made yet in a stream; expected head waves, which run with the "
-                  "stream against the hull: direction = 0, or remove this key");
+        wave.fail(
+            "direction",
+            fmt::format("{:.4g} degrees: oblique waves are not made, since the sides are walls to them; expected 0 "
+                        "(towards +x{}) or \"180 deg\" (towards -x{}): run the hull in "
+                        "both, or turn a body in a tank by its mesh",
+                        angle * 180 / std::numbers::pi, in_stream(scene) ? ", a head wave" : "",
+                        in_stream(scene) ? ", a following wave" : ""));
     return along > 0 ? 1 : -1;
 }
 
@@ -131,33 +130,104 @@ void check_tank(const Scene& scene, Sections& s, const std::string& size) {
                         scene.domain.box.max.z(), wave.crest));
 }
 
+/// The highest crest lies in a stream's box.
+void check_height_of_box(const Scene& scene, Sections& s, double crest) {
+    if (crest > scene.domain.as_asked.max.z())
+        s.domain.fail(s.domain.has("above") ? "above" : "z",
+                      fmt::format("the box ends {:.4g} m above still water, and the wave's crest is at {:.4g} m; "
+                                  "expected a higher box",
+                                  scene.domain.as_asked.max.z(), crest));
+}
+
+/// Everywhere water comes in at the inlet and leaves at the outlet: the stream is faster than the waves move it back.
+void check_ends(const Scene& scene, Sections& s, const char* height, double back) {
+    const double U = scene.motion.speed;
+    if (U >= back) return;
+    const WaveScales wave = wave_scales(scene);
+    s.wave.fail(height,
+                fmt::format("under its {} the water moves at {:.4g} m/s against the stream of {:.4g} m/s, and would "
+                            "{}; expected a stream of at least {:.4g} m/s, or lower waves",
+                            wave.direction < 0 ? "crests" : "troughs", back, U,
+                            wave.comes_from_low_x ? "leave through the inlet" : "come in through the outlet", back));
+}
+
+void check_fastest(const Scene& scene, Sections& s, const std::string& size, double length, double speed) {
+    const double U = scene.motion.speed, most = fastest_stream_with_wave * speed;
+    if (U <= most * (1 + 1e-9)) return;
+    const double slower = U / fastest_stream_with_wave;  // deep water's length of that speed
+    s.wave.fail(size,
+                fmt::format("the wave{}, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
+                            "inlet, which holds level and speed, then spoils its height by a tenth: expected a "
+                            "stream of at most {:.4g} m/s, {:g} times the wave's speed, or a longer wave (in "
+                            "deep water of {:.3g} m)",
+                            scene.sea ? " (the shortest that counts)" : "", length, speed, U, most,
+                            fastest_stream_with_wave, 2 * std::numbers::pi * slower * slower / scene.water.gravity));
+}
+
+/// A following wave comes from behind or is overtaken. Between, its energy hardly passes the hull, or, where that has
+/// passed, waves of other lengths have its frequency of encounter and come with it.
+void check_following(const Scene& scene, Sections& s, const std::string& size) {
+    const RegularWave& wave = *scene.wave;
+    const double U = scene.motion.speed, group = group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water,
+                 behind = slowest_passing * group, ahead = slowest_overtaking * wave.speed_in_water;
+    if (U > behind && U < ahead)
+        s.wave.fail(size,
+                    fmt::format("this following wave, {:.4g} m long, runs at {:.4g} m/s, its energy at {:.4g} m/s, "
+                                "and the stream at {:.4g} m/s against them, so that it nearly stands still or "
+                                "comes with others of its frequency; expected a stream of at most {:.4g} m/s (the "
+                                "wave comes from behind) or of {:.4g} to {:.4g} m/s (the hull overtakes it), or a "
+                                "wave of another length",
+                                wave.length, wave.speed_in_water, group, U, behind, ahead,
+                                fastest_stream_with_wave * wave.speed_in_water));
+}
+
+/// Of a sum that follows what stands still or is carried back by the stream is not made; it may be little.
+void check_following_sea(const Scene& scene, Sections& s, const std::string& size, SeaOrder order) {
+    const double U = scene.motion.speed;
+    order.stream = 0;
+    const Sea whole = make_sea(order);
+    const int high = whole.component_at(1 - waves_that_count);
+    const double k = whole.waves.k[high], energy = group_speed_ratio(k * order.depth) * whole.waves.omega[high] / k;
+    if (U > slowest_passing * energy)
+        s.wave.fail(
+            size, fmt::format("the energy of the shortest of these following waves that count, {:.4g} m long, runs at "
+                              "{:.4g} m/s and the stream at {:.4g} m/s against it, so that it hardly passes the hull "
+                              "or never comes; expected a stream of at most {:.4g} m/s, or longer waves",
+                              2 * std::numbers::pi / k, energy, U, slowest_passing * energy));
+}
+
 /// The stream is slow enough for the zone that makes the wave and fast enough for its inlet, and the box holds its
 /// crest.
 void check_stream(const Scene& scene, Sections& s, const std::string& size) {
     const RegularWave& wave = *scene.wave;
-    const double U = scene.motion.speed, most = fastest_stream_with_wave * wave.speed_in_water;
-    if (U > most * (1 + 1e-9)) {
-        const double slower = U / fastest_stream_with_wave;  // deep water's length of that speed
-        s.wave.fail(size, fmt::format("the wave, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
-                                      "inlet, which holds level and speed, then spoils its height by a tenth: "
-                                      "expected a stream of at most {:.4g} m/s, {:g} times the wave's speed, or a "
-                                      "longer wave (in deep water of {:.3g} m)",
-                                      wave.length, wave.speed_in_water, U, most, fastest_stream_with_wave,
-                                      2 * std::numbers::pi * slower * slower / wave.gravity));
+    const double U = scene.motion.speed;
+    check_fastest(scene, s, size, wave.length, wave.speed_in_water);
+    const bool follows = wave.sum.direction < 0;
+    double u, w;  // where it is slowest along x: under a trough, of a following wave under a crest
+    wave_velocity(wave.sum, follows ? 0 : std::numbers::pi / wave.k(), follows ? wave.crest : wave.trough, 0, u, w);
+    check_ends(scene, s, "height", U - u);
+    if (follows) check_following(scene, s, size);
+    check_height_of_box(scene, s, wave.crest);
+}
+
+/// The same of a sum of waves: for the shortest that count, and where the highest of a thousand, or all, come together.
+void check_stream_of_sea(const Scene& scene, Sections& s, const std::string& size) {
+    const Sea& sea = *scene.sea;
+    const WaveComponents& waves = sea.waves;
+    const int high = sea.component_at(1 - waves_that_count);
+    check_fastest(scene, s, size, sea.length(high), waves.omega[high] / waves.k[high]);
+    double all = 0, squares = 0;
+    for (int n = 0; n < waves.count; ++n) {
+        const double along = waves.height[n] * waves.omega[n] / std::tanh(waves.k[n] * waves.depth);
+        all += along, squares += along * along / 2;
     }
-    double u, w;  // under a trough
-    wave_velocity(wave.sum, std::numbers::pi / wave.k(), wave.trough, 0, u, w);
-    if (u < 0)
-        s.wave.fail("height",
-                    fmt::format("under its troughs the water moves at {:.4g} m/s against the stream of {:.4g} m/s, and "
-                                "would leave through the inlet; expected a stream of at least {:.4g} m/s, or a lower "
-                                "wave",
-                                U - u, U, U - u));
-    if (wave.crest > scene.domain.as_asked.max.z())
-        s.domain.fail(s.domain.has("above") ? "above" : "z",
-                      fmt::format("the box ends {:.4g} m above still water, and the wave's crest is at {:.4g} m; "
-                                  "expected a higher box",
-                                  scene.domain.as_asked.max.z(), wave.crest));
+    const bool random = sea.kind == Sea::Kind::jonswap || sea.kind == Sea::Kind::pierson_moskowitz;
+    check_ends(scene, s,
+               random                           ? "significant_height"
+               : sea.kind == Sea::Kind::focused ? "crest"
+                                                : "height",
+               random ? highest_of_thousand * std::sqrt(squares) : all);
+    check_height_of_box(scene, s, wave_scales(scene).crest);
 }
 
 double required(const SceneSection& wave, const char* key, double value, const char* what, const char* example) {
@@ -223,23 +293,31 @@ void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave) {
     const WaveScales scales = wave_scales(scene);
     const Box& box = scene.domain.as_asked;  // the same at every resolution
     const double making = 1.5 * scales.longest, absorbing = scales.longest;
-    const double low = box.min.x() + (order.direction > 0 ? making : absorbing),
-                 high = box.max.x() - (order.direction > 0 ? absorbing : making);
+    const bool stream = in_stream(scene);  // its zones lie outside the box
+    const double low = box.min.x() + (stream                ? 0
+                                      : order.direction > 0 ? making
+                                                            : absorbing),
+                 high = box.max.x() - (stream                ? 0
+                                       : order.direction > 0 ? absorbing
+                                                             : making);
     if (!wave.has("focus_place")) asked.focus_place = (low + high) / 2;
     if (asked.focus_place < low || asked.focus_place > high)
         wave.fail("focus_place",
-                  fmt::format("x = {:.4g} m lies in a zone or outside the tank; expected a place between the "
-                              "zones, from {:.4g} to {:.4g} m",
+                  fmt::format("x = {:.4g} m lies in a zone or outside the water; expected a place between "
+                              "the zones, from {:.4g} to {:.4g} m",
                               asked.focus_place, low, high));
-    const double way = begins_in_zone(scene) ? std::abs(asked.focus_place - (order.direction > 0 ? low : high)) : 0,
-                 least = way / scales.slowest;
+    const double from_zone = std::abs(asked.focus_place - (order.direction > 0 ? low : high)),
+                 way = stream                  ? making + from_zone
+                       : begins_in_zone(scene) ? from_zone
+                                               : 0,  // a stream begins calm
+        least = way / scales.slowest + (stream ? default_ramp(scene) : 0);
     if (!wave.has("focus_time")) asked.focus_time = 4 * scales.period + least;
     if (asked.focus_time < least)
         wave.fail(
             "focus_time",
             fmt::format("{:.4g} s; the shortest waves that count take {:.4g} s from the zone that makes them to the "
-                        "focus, and with solids in the tank they begin in that zone: expected at least that",
-                        asked.focus_time, least));
+                        "focus, and {} they begin in that zone: expected at least that",
+                        asked.focus_time, least, stream ? "in a stream" : "with solids in the tank"));
     const double latest = scene.sea->repeat_period - 2 * scales.period;
     if (asked.focus_time > latest)
         wave.fail(
@@ -255,6 +333,7 @@ void settle_sea(Scene& scene, Sections& s) {
     const SceneSection& wave = s.wave;
     SeaOrder order{.depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
     order.direction = direction_of(scene, wave);
+    if (in_stream(scene)) order.stream = scene.motion.speed;
     const bool two = scene.wave_asked.spectrum == "bichromatic";
     (two ? order_two : order_spectrum)(order, scene.wave_asked, wave);
     const std::string size = two ? "period" : "peak_period";
@@ -264,8 +343,9 @@ void settle_sea(Scene& scene, Sections& s) {
                   fmt::format("waves {:.4g} m long in water {:.4g} m deep; expected at most {:g} depths: longer ones "
                               "are no sum of linear waves",
                               longest, order.depth, longest_depths / 2));
+    if (in_stream(scene) && order.direction < 0) check_following_sea(scene, s, size, order);
     scene.sea = make_sea(order);
-    check_tank(scene, s, size);
+    in_stream(scene) ? check_stream_of_sea(scene, s, size) : check_tank(scene, s, size);
     if (order.kind != Sea::Kind::focused) return;
     place_focus(order, scene, wave);
     scene.sea = make_sea(order);

@@ -11,6 +11,7 @@
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
 #include "scene/wave_twin.h"
+#include "waves/dispersion.h"
 #include "waves/steepness.h"
 
 namespace tw {
@@ -34,11 +35,22 @@ std::string speed_text(const Scene& scene) {
             "{:.4g} m/s over still water; mean current below the troughs {:.3g} m/s, so that the tank has no net "
             "transport",
             w.speed_in_water, w.sum.current);
+    const bool follows = w.sum.direction < 0;
+    const WaveScales scales = wave_scales(scene);
     return fmt::format(
-        "{:.4g} m/s in the water, with the stream {:.4g} m/s past the hull: a head wave of {:.4g} s in the water, met "
-        "every {:.4g} s (U omega_e/g {:.3g}); its front runs at {:.4g} m/s",
-        w.speed_in_water, w.sum.speed, w.period_in_water(), w.encounter_period(),
-        scene.motion.speed * w.encounter_frequency() / w.gravity, wave_scales(scene).slowest);
+        "{:.4g} m/s in the water, with the stream {:.4g} m/s past the hull: a {} wave of {:.4g} s in the water, met "
+        "every {:.4g} s (U omega_e/g {:.3g}); its front runs at {:.4g} m/s{}",
+        w.speed_in_water, std::abs(w.sum.speed),
+        !follows          ? "head"
+        : w.sum.speed > 0 ? "following"
+                          : "following (overtaken)",
+        w.period_in_water(), w.encounter_period(), scene.motion.speed * std::abs(w.encounter_frequency()) / w.gravity,
+        scales.slowest,
+        !follows ? ""
+        : scales.comes_from_low_x
+            ? " from ahead, since the stream is faster than it; by a linear model its height is within "
+              "5 to 13 % of that asked for"
+            : " from behind");
 }
 
 /// The regular wave: what it is by theory, how it is resolved, and what becomes of it on its way.
@@ -95,7 +107,8 @@ std::string what_it_is(const Sea& sea) {
 
 /// What neither order has: high waves are faster. As far as a regular wave as high as the focus would be ahead of it
 /// (measured: docs/results/seas.md).
-std::string third_order_text(const Sea& sea, const WaveScales& w) {
+std::string third_order_text(const Scene& scene, const WaveScales& w) {
+    const Sea& sea = *scene.sea;
     const double k = 2 * std::numbers::pi / w.length, linear = std::sqrt(sea.gravity / k * std::tanh(k * sea.depth()));
     double faster = 0;
     try {
@@ -109,7 +122,11 @@ std::string third_order_text(const Sea& sea, const WaveScales& w) {
                  1;
     } catch (const std::domain_error& e) { return fmt::format("  third     order: {}\n", e.what()); }
     constexpr double comes_apart = 0.05;  // peak periods; at 0.03 the crest is 4 to 9 % lower, at 0.12 a quarter
-    const double early = faster * sea.focus_time;
+    const Box& open = scene.domain.undamped;  // a stream begins calm
+    const double way = std::abs(sea.focus_place - (w.comes_from_low_x ? open.min : open.max).x()),
+                 group = group_speed_ratio(k * sea.depth()) * linear,
+                 on_the_way = sea.waves.stream == 0 ? sea.focus_time : way / (group + w.direction * sea.waves.stream),
+                 early = faster * on_the_way * w.period / sea.peak_period;  // crests pass a gauge faster in a stream
     return fmt::format(
         "  third     order, left out too: a regular wave as high as the focus is {:.2g} % faster than by linear "
         "theory, "
@@ -133,7 +150,13 @@ std::string sea_text(const Scene& scene) {
         out += fmt::format(
             "; it repeats itself after {:.4g} s ({:.3g} peak periods); {:.2g} % of the energy of the "
             "spectrum lies outside this band, which carries it too\n",
-            sea.repeat_period, sea.repeat_period / sea.peak_period, 100 * sea.beyond);
+            sea.repeat_period, sea.repeat_period / w.period, 100 * sea.beyond);
+    if (scene.motion.kind == Motion::Kind::stream)
+        out += fmt::format(
+            "  stream    {:.4g} m/s: {} waves, that at the peak met every {:.4g} s; the energy of the shortest that "
+            "count runs at {:.4g} m/s past the hull, from {}\n",
+            scene.motion.speed, w.direction > 0 ? "head" : "following", w.period, w.slowest,
+            w.comes_from_low_x ? "ahead" : "behind");
     out += fmt::format(
         "  error     of first order: bound waves of second order have {:.2g} % of the significant height, "
         "{:.2g} % in the short and {:.2g} % in the long ones; they arise on the way, with free waves as "
@@ -141,10 +164,10 @@ std::string sea_text(const Scene& scene) {
         100 * left.both(), 100 * left.sum, 100 * left.difference,
         left.both() > 0.2 ? " (!) too high for a sum of linear waves" : "");
     if (sea.kind == Sea::Kind::focused) {
-        const double from = sea.focus_time - 2 * sea.peak_period, to = sea.focus_time + 2 * sea.peak_period;
+        const double from = sea.focus_time - 2 * w.period, to = sea.focus_time + 2 * w.period;
         const Crest second = highest_crest(sea, sea.focus_place, from, to, true);
         out += fmt::format("  crest     by second order {:.4g} m at t = {:.4g} s\n", second.height, second.time) +
-               third_order_text(sea, w);
+               third_order_text(scene, w);
     }
     out += fmt::format(
         "  regime    at the peak: H/L {:.3g}, k d {:.3g} ({} water), Ursell {:.3g}, {:.2g} % of the highest "

@@ -20,7 +20,7 @@ public:
 
     void add_rates(const StepView& step) override {
         if (o_.wave) return add_rates_towards<ForceTowardsWave>(step, in_stream(*o_.wave, step));
-        if (o_.sea) return add_rates_towards<ForceTowardsSea>(step, wave_moment(*o_.sea, step.time));
+        if (o_.sea) return add_rates_towards<ForceTowardsSea>(step, wave_moment(in_stream(*o_.sea, step), step.time));
         ForceInZones force{.p = step.p,
                            .kind = step.kind,
                            .rate = step.rate,
@@ -55,6 +55,14 @@ private:
             wave.phase -= wave.direction * wave.k * stream->ahead_of_full_speed(step.time);
         }
         return wave;
+    }
+    static WaveComponents in_stream(WaveComponents sea, const StepView& step) {
+        if (const auto& stream = step.around.stream) {
+            sea.current += stream->velocity(step.time) - stream->speed;
+            for (int n = 0; n < sea.count; ++n)
+                sea.phase[n] -= sea.direction * sea.k[n] * stream->ahead_of_full_speed(step.time);
+        }
+        return sea;
     }
     template <class Loop, class Wave>
     void add_rates_towards(const StepView& step, const Wave& wave) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 #include "base/errors.h"
 #include "foam_cases/axis_cells.h"
@@ -106,6 +107,32 @@ TEST(ForcingZonesInInterFoam, DrawToASumOfWaves) {
     const std::string numbers = source.substr(list, source.find(';', list) - list);
     EXPECT_EQ(std::ranges::count(numbers, '.'), 12) << numbers;
     EXPECT_NE(text_of(plan, "system/setFieldsDict"), "");
+}
+
+// The library's zones move with no stream: they take the frequencies that are met, and with them the velocities of the
+// waves in their water.
+TEST(ForcingZonesInInterFoam, DrawToASumOfWavesThatAStreamCarries) {
+    Scene scene = channel();
+    scene.sea =
+        make_sea({.depth = 0.2, .direction = -1, .stream = 0.15, .height = 0.02, .peak_period = 0.8, .components = 12});
+    scene.motion.speed = 0.15;
+    const CasePlan plan = plan_case(scene, installation("openfoam.com", "v1912", "/lib/libforcingZones.so"));
+    const std::string source = text_of(plan, "constant/fvOptions");
+    const auto numbers = [&](const std::string& name) {
+        std::istringstream text(source.substr(source.find('(', source.find(" " + name + "\n")) + 1));
+        std::vector<double> found;
+        for (double value; text >> value;) found.push_back(value);
+        return found;
+    };
+    const std::vector<double> omega = numbers("omega"), amplitude = numbers("amplitude");
+    ASSERT_EQ(omega.size(), 12u) << source;
+    ASSERT_EQ(amplitude.size(), 12u) << source;
+    const WaveComponents& waves = scene.sea->waves;
+    for (std::size_t n = 0; n < 12; ++n) {
+        EXPECT_NEAR(omega[n], waves.omega[n] - 0.15 * waves.k[n], 1e-9);
+        EXPECT_NEAR(amplitude[n] * omega[n], waves.height[n] * waves.omega[n], 1e-9);
+    }
+    EXPECT_NE(source.find("current         0.15;"), std::string::npos) << source;
 }
 
 // Without them the case has no word of them.

@@ -1,10 +1,11 @@
-// A head wave in a stream: what it is seen from the hull, where it is made and absorbed, and what is refused.
+// A head or following wave in a stream: what it is seen from the hull, where it is made and absorbed, and what is refused.
 #include <cmath>
 #include <numbers>
 
 #include "scene/box/forcing_zones.h"
 #include "scene/box/tank_wave.h"
 #include "scene/mesh/mesh_cells.h"
+#include "scene/new_record.h"
 #include "scene_text.h"
 #include "waves/dispersion.h"
 
@@ -63,6 +64,31 @@ TEST(StreamWave, IsAbsorbedAsGentlyAsTheStreamsOwnWavesNeed) {
     EXPECT_NEAR(plan.zones[1].gamma, gamma * 0.7 / width, 1e-9);
 }
 
+TEST(StreamWave, ThatFollowsIsMadeWhereItsEnergyComesFrom) {
+    const std::string follows = "height = 0.06\nlength = 1\ntheory = \"linear\"\ndirection = \"180 deg\"\n";
+    const double k = 2 * pi;
+    for (const double U : {0.3, 1.6}) {  // the wave runs at 1.24 m/s, its energy at 0.64 m/s
+        const Scene s = scene_of(stream(follows, "", U));
+        const double omega = wave_frequency(k, s.water.gravity, 0.4), group = group_speed_ratio(k * 0.4) * omega / k;
+        const WaveScales wave = wave_scales(s);
+        EXPECT_NEAR(s.wave->encounter_frequency(), omega - U * k, 1e-9);
+        EXPECT_NEAR(wave.period, 2 * pi / std::abs(omega - U * k), 1e-9);
+        EXPECT_NEAR(wave.slowest, std::abs(U - group), 1e-9);
+        EXPECT_EQ(wave.comes_from_low_x, U > group);
+        const ForcingZones plan = forcing_zones(s);
+        ASSERT_EQ(plan.zones.size(), 2);
+        EXPECT_EQ(plan.zones[0].makes_wave, U > group);
+        EXPECT_EQ(plan.zones[1].makes_wave, U < group);
+        for (const ForcingZone& zone : plan.zones) {
+            EXPECT_GT(zone.gamma, 0);
+            EXPECT_GE(std::abs(zone.end - zone.begin), (zone.makes_wave ? 1.5 : 1) + (U > group ? 0.5 : 0) - 1e-9);
+        }
+        // as it is met: the hull overtakes the second one
+        EXPECT_EQ(new_record(s, "sph").numbers.at("wave_direction"), U > omega / k ? 1 : -1);
+        EXPECT_GE(s.sampling.mean_from, s.motion.ramp + 3 * wave.period + 3.5 / wave.slowest - 1e-9);
+    }
+}
+
 TEST(StreamWave, IsMeasuredOnceItHasPassed) {
     const Scene s = scene_of(stream());
     const WaveScales wave = wave_scales(s);
@@ -78,10 +104,13 @@ TEST(StreamWave, RefusesWhatItCannotMake) {
         EXPECT_NE(said.find(part), std::string::npos) << said;
         EXPECT_NE(said.find("scene.toml:"), std::string::npos) << said;
     };
-    refused(stream("height = 0.06\nlength = 1\ndirection = \"180 deg\"\n"), "following waves are not made yet");
-    refused(stream("height = 0.06\nlength = 1\ndirection = \"30 deg\"\n"), "oblique waves are not made yet");
-    refused(stream("spectrum = \"jonswap\"\nsignificant_height = 0.06\npeak_period = 0.8\n"),
-            "a sum of waves in a stream is not made yet");
+    const std::string follows =
+        "height = 0.06\nlength = 1\ndirection = \"180 deg\"\n";  // 1.26 m/s, its energy 0.65 m/s
+    for (const double speed : {0.5, 0.6, 0.9, 1.2, 1.3, 1.4})
+        refused(stream(follows, "", speed), "expected a stream of at most 0.4");
+    refused(stream(follows, "", 2), "1.5 times the wave's speed");
+    refused(stream(follows, "", 0.1), "under its crests");
+    refused(stream("height = 0.06\nlength = 1\ndirection = \"30 deg\"\n"), "oblique waves are not made");
     refused(stream("height = 0.06\nlength = 1\n", "", 2.5), "expected a stream of at most");
     refused(stream("height = 0.06\nlength = 1\n", "", 0.1), "would leave through the inlet");
     refused(stream("height = 0.12\nlength = 1\n", "") + "[effects]\nforcing_zones = \"off\"\n", "made and absorbed");
