@@ -202,14 +202,12 @@ provide_paraview() {
 # --- commands --------------------------------------------------------------------------------------------------------
 
 run_tests() {
-    # Side by side, those that start a solver as well: most of them use one core, some wait for a browser or a queue, and
-    # none asserts a speed.
+    # Side by side, those that start a solver as well: most of them use one core, and none asserts a speed.
     # The test programs lie deeper than build/twinwake, beside which the mended solvers are looked for.
     if [ -d .openfoam/bin ]; then export TWINWAKE_OPENFOAM_BIN=$root/.openfoam/bin; fi
-    local side_by_side=$((jobs + 1))
-    say "tests, $side_by_side at a time"
+    say "tests, $jobs at a time"
     # unit tests in shares: what the label "unit" holds one by one
-    ctest --test-dir build --output-on-failure --no-tests=error -j "$side_by_side" --label-exclude '^unit$'
+    ctest --test-dir build --output-on-failure --no-tests=error -j "$jobs" --label-exclude '^unit$'
 }
 
 run_demo() {

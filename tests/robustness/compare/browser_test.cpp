@@ -20,21 +20,25 @@ namespace browser_test {
 bool installed() { return std::system("command -v chromium > /dev/null 2>&1") == 0; }
 
 /// The page after its script has run, as markup, and what the browser logged of it. `page`: a path without quotes.
-/// `ms`: after this time of the page's own clock, which stands still while a script runs.
+/// `ms`: after this time of the page's own clock, which stands still while a script runs. A browser that hangs, as it does
+/// now and then on a busy machine, is started once more.
 std::pair<std::string, std::string> opened(const std::filesystem::path& page, const std::filesystem::path& profile,
                                            int ms) {
     const std::filesystem::path log = profile.string() + ".log";
     const std::string command =
-        "timeout 300 chromium --headless=new --no-sandbox --user-data-dir='" + profile.string() +
+        "timeout 240 chromium --headless=new --no-sandbox --user-data-dir='" + profile.string() +
         "' --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --enable-logging=stderr "
         "--window-size=1400,900 --virtual-time-budget=" +
         std::to_string(ms) + " --dump-dom 'file://" + page.string() + "' 2> '" + log.string() + "'";
     std::string markup;
-    std::array<char, 65536> part;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (!pipe) return {};
-    while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe)) markup.append(part.data(), n);
-    pclose(pipe);
+    for (int start = 0; start < 2 && markup.empty(); ++start) {
+        std::filesystem::remove_all(profile);
+        std::array<char, 65536> part;
+        FILE* pipe = popen(command.c_str(), "r");
+        if (!pipe) return {};
+        while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe)) markup.append(part.data(), n);
+        pclose(pipe);
+    }
     return {markup, read_text(log)};
 }
 
