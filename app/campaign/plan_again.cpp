@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "app/pace/machine_pace.h"
 #include "app/runs/run_method.h"
+#include "app/runs/solvers.h"
 #include "base/errors.h"
 #include "compare/report/numbers.h"
 #include "text/plain_number.h"
@@ -45,9 +45,9 @@ Trial try_coarsest(const std::vector<std::vector<CampaignRun>>& by_size, const s
             predicted += seconds, expected += seconds * methods[run.method].factor();
         }
         if (!(predicted > 0) || campaign.spent() + expected <= tolerated * budget) continue;
-        const std::string late = fmt::format(
-            "! what is still to be made will take {}, and {} of the budget of {} are used", about_text(expected),
-            time_text(campaign.spent()), time_text(budget));
+        const std::string late =
+            fmt::format("! what is still to be made will take {}, and {} of the budget of {} are used",
+                        about_text(expected), time_text(campaign.spent()), time_text(budget));
         const double left = (budget - campaign.spent()) / (expected / predicted);
         try {
             if (left > 0)
@@ -55,8 +55,8 @@ Trial try_coarsest(const std::vector<std::vector<CampaignRun>>& by_size, const s
                     fewer.seconds *= expected / predicted;
                     return {false, fewer,
                             fmt::format("{}: near_hull = {} m in place of {} m, with all runs {}\n", late,
-                                                plain_number(fewer.near_hull), plain_number(now.near_hull),
-                                                about_text(fewer.seconds))};
+                                        plain_number(fewer.near_hull), plain_number(now.near_hull),
+                                        about_text(fewer.seconds))};
                 }
         } catch (const InputError&) {}  // no sizes that the scene allows are cheap enough
         return {false, {}, late + ": no coarser sizes that the scene allows fit what is left; the study goes on\n"};

@@ -176,7 +176,7 @@ TEST_F(Command, ABudgetIsPlannedAgainWhenTheCoarsestRunsTakeLongerThanPredicted)
     };
     const double first = number_after("budget of 6 s: near_hull = "), then = number_after("are used: near_hull = ");
     EXPECT_GT(then, 1.1 * first) << o.out;
-    EXPECT_LE(then, double(sizes["near_hull"]) * (1 + 1e-5));
+    EXPECT_LE(then, double(sizes["near_hull"]) * (1 + 5e-3)) << "said to three digits";
     EXPECT_TRUE(has(o.out, fmt::format("SPH at {:g} m", 2 * double(sizes["near_hull"])))) << o.out;
 }
 
