@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "scene/box/box_walls.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
@@ -104,8 +105,9 @@ std::vector<RefinementBox> default_refinement(const Scene& scene) {
         Box box{low.cwiseMax(scene.domain.box.min), high.cwiseMin(scene.domain.box.max)};
         if (level > 0 && (box.size().array() > 0).all()) boxes.push_back({name, box, level});
     };
-    // of a wave's height five cells at least
-    const double at_surface = scene.has_wave() ? std::min(L / 24, wave_scales(scene).height / 5) : L / 24;
+    // of a wave's height five cells at least, unless it has little way from the inlet
+    const double cells = inlet_wave(scene) ? 1.5 : 5,
+                 at_surface = scene.has_wave() ? std::min(L / 24, wave_scales(scene).height / cells) : L / 24;
     const int surface_level = std::clamp(level_for(at_surface, unscaled), std::max(0, finest - 3), finest);
     const double cell_there = scene.resolution.spacing / std::exp2(surface_level),
                  band = std::max(cell_there, scene.has_wave() ? 1.2 * wave_scales(scene).crest : 0);

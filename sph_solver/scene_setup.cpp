@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "meshes/mass_properties.h"
 #include "meshes/section.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_walls.h"
 #include "scene/box/tank_wave.h"
 #include "scene/new_record.h"
@@ -225,6 +226,7 @@ SphSetup sph_setup(const Scene& scene, int threads, const Comm& ranks) {
                               {d.y_min == Side::slip_wall, d.y_max == Side::slip_wall},
                               {d.z_min == Side::slip_wall, d.z_max == Side::slip_wall}}};
     if (scene.motion.kind == Motion::Kind::stream) {
+        if (inlet_wave(scene)) throw InputError("the particles' inlet does not make waves yet");
         Stream stream;
         stream.speed = scene.motion.speed;
         stream.ramp = scene.motion.ramp;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "scene/box/box_walls.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/refined_places.h"
 #include "scene/water/tailwater.h"
@@ -288,7 +289,7 @@ std::optional<double> standing_wave_length(double speed, double gravity, double 
 
 bool has_zones_by_default(const Scene& scene, double gravity) {
     return scene.motion.kind == Motion::Kind::stream && gravity > 0 &&
-           (scene.has_wave() || waves_stand(scene, gravity));
+           (waves_stand(scene, gravity) || (scene.has_wave() && !may_enter_with_stream(scene)));
 }
 
 ZoneReach zone_reach(const Scene& scene, double gravity) {

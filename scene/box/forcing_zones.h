@@ -58,8 +58,8 @@ ForcingZones forcing_zones(const Scene& scene);
 std::optional<double> standing_wave_length(double speed, double gravity, double depth);
 
 /// Whether zones are on unless the scene says otherwise: in every stream in which a wave can stand, but for planing
-/// hulls (length Froude number 1 and more), which leave their waves behind; and with a [wave]. Its domain has to be known, its weight may
-/// be off: `gravity` [m/s2].
+/// hulls (length Froude number 1 and more), which leave their waves behind; and with a [wave], unless it may enter with
+/// the stream (scene/box/inlet_wave.h). Its domain has to be known, its weight may be off: `gravity` [m/s2].
 bool has_zones_by_default(const Scene& scene, double gravity);
 
 /// How far the zones of a stream reach beyond its box [m].

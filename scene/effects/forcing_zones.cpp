@@ -14,7 +14,9 @@ namespace {
 
 std::string reason_of(const EffectQuestion& q, bool by_default) {
     const Scene& scene = q.scene;
-    if (scene.has_wave()) return "the wave is made in a zone at one end and absorbed in one at the other";
+    if (scene.has_wave())
+        return by_default ? "the wave is made in a zone at one end and absorbed in one at the other"
+                          : "the stream is faster than the wave, which enters with it; nothing runs upstream";
     if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
     if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
     if (by_default && tailwater(scene)) return "the water behind is held at the depth of [domain] downstream";
@@ -25,8 +27,8 @@ std::string reason_of(const EffectQuestion& q, bool by_default) {
 }
 
 EffectChoice plan_forcing_zones(const EffectQuestion& q) {
-    const bool by_default =
-        q.scene.has_wave() || has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
+    const bool by_default = (q.scene.has_wave() && q.scene.motion.kind != Motion::Kind::stream) ||
+                            has_zones_by_default(q.scene, q.needed->on ? q.scene.water.gravity : 0);
     EffectChoice c = q.choice(by_default);
     c.reason = reason_of(q, by_default);
     c.influence = by_default
@@ -35,7 +37,7 @@ EffectChoice plan_forcing_zones(const EffectQuestion& q) {
     const Box &all = q.scene.domain.box, &open = q.scene.domain.undamped;
     const double fewer = has_coarse_zones(q.scene) ? std::exp2(q.scene.domain.dimensions) : 1;
     c.cost = (all.volume() / open.volume() - 1) / fewer + 0.01;
-    if (q.scene.has_wave()) c.influence = influence("100 %", "100 %", "the wave itself");
+    if (q.scene.has_wave() && by_default) c.influence = influence("100 %", "100 %", "the wave itself");
     return c;
 }
 

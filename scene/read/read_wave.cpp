@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "scene/box/forcing_zones.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/defaults.h"
 #include "scene/read/read.h"
@@ -22,6 +23,8 @@ constexpr double shortest_tank = 3.5;  ///< in wave lengths: 1.5 that make it, o
 constexpr double largest_share = 0.9;  ///< of the highest wave
 constexpr double longest_depths = 60;  ///< of a wave length
 constexpr double fewest_sizes = 4;     ///< particles or cells in a wave's height
+/// The same of a wave that enters with the stream: it is there at once, and has little way to lose height on.
+constexpr double fewest_sizes_at_inlet = 1;
 constexpr double fewest_along = 20;    ///< in its length
 /// Of a stream over the speed of a following wave that it carries back, from which on no other wave comes with it.
 constexpr double slowest_overtaking = 1.15;
@@ -159,9 +162,18 @@ void check_fastest(const Scene& scene, Sections& s, const std::string& size, dou
                 fmt::format("the wave{}, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
                             "inlet, which holds level and speed, then spoils its height by a tenth: expected a "
                             "stream of at most {:.4g} m/s, {:g} times the wave's speed, or a longer wave (in "
-                            "deep water of {:.3g} m)",
+                            "deep water of {:.3g} m){}",
                             scene.sea ? " (the shortest that counts)" : "", length, speed, U, most,
-                            fastest_stream_with_wave, 2 * std::numbers::pi * slower * slower / scene.water.gravity));
+                            fastest_stream_with_wave, 2 * std::numbers::pi * slower * slower / scene.water.gravity,
+                            may_enter_with_stream(scene)
+                                ? "; or forcing_zones = \"off\" in [effects]: then the wave enters with the stream"
+                                : ""));
+}
+
+/// Before the box is as large as its zones make it, which follow from the wave.
+bool enters_with_stream(const Scene& scene, Sections& s) {
+    return may_enter_with_stream(scene) &&
+           !s.effects.on_off("forcing_zones").value_or(has_zones_by_default(scene, scene.water.gravity));
 }
 
 /// A following wave comes from behind or is overtaken. Between, its energy hardly passes the hull, or, where that has
@@ -201,7 +213,7 @@ void check_following_sea(const Scene& scene, Sections& s, const std::string& siz
 void check_stream(const Scene& scene, Sections& s, const std::string& size) {
     const RegularWave& wave = *scene.wave;
     const double U = scene.motion.speed;
-    check_fastest(scene, s, size, wave.length, wave.speed_in_water);
+    if (!enters_with_stream(scene, s)) check_fastest(scene, s, size, wave.length, wave.speed_in_water);
     const bool follows = wave.sum.direction < 0;
     double u, w;  // where it is slowest along x: under a trough, of a following wave under a crest
     wave_velocity(wave.sum, follows ? 0 : std::numbers::pi / wave.k(), follows ? wave.crest : wave.trough, 0, u, w);
@@ -414,12 +426,19 @@ void check_wave(const Scene& scene, Sections& s) {
         s.wave.fail("calm_twin",
                     "what a wave adds is given of a hull in a stream with a regular wave; remove this key");
     const WaveScales wave = wave_scales(scene);
-    if (!scene.effect_on("forcing_zones"))
-        s.effects.fail("forcing_zones", "a wave is made and absorbed by them; remove this key, or [wave]");
+    const bool enters = inlet_wave(scene).has_value();
+    if (!scene.effect_on("forcing_zones") && !enters)
+        s.effects.fail("forcing_zones",
+                       fmt::format("the wave is made and absorbed by them; remove this key, or [wave]{}",
+                                   scene.motion.kind == Motion::Kind::stream && wave.direction > 0
+                                       ? fmt::format(" (without them regular waves enter with a stream of at least "
+                                                     "their own speed, {:.4g} m/s in the water)",
+                                                     wave.length / wave.period - scene.motion.speed)
+                                       : ""));
     for (const char* effect : {"air", "dynamic_pressure"})
         if (scene.effect_on(effect))
             s.effects.fail(effect, "particles begin with it in water at rest only; switch it off, or remove [wave]");
-    if (scene.sph.levels > 1)
+    if (scene.sph.levels > 1 && !enters)
         throw InputError(scene.place_of("sph.levels") +
                          ": particles of several sizes carry no wave yet; write levels = 1 in [sph]");
     if (has_coarse_zones(scene))
@@ -433,12 +452,13 @@ void check_wave(const Scene& scene, Sections& s) {
     };
     const char *of_height = given({"height", "significant_height", "crest"}),
                *of_length = given({"length", "period", "peak_period"});
-    if (wave.height < fewest_sizes * size * (1 - 1e-9))
+    const double fewest = enters ? fewest_sizes_at_inlet : fewest_sizes;
+    if (wave.height < fewest * size * (1 - 1e-9))
         s.wave.fail(
             of_height,
             fmt::format("{:.4g} m are {:.2g} times near_hull = {:.4g} m; expected at least {:g} in a wave's height "
                         "(six to ten keep it well): near_hull at most {:.3g} m",
-                        wave.height, wave.height / size, size, fewest_sizes, wave.height / fewest_sizes));
+                        wave.height, wave.height / size, size, fewest, wave.height / fewest));
     // of a sum half as many in the shortest that count
     const double coarsest = scene.resolution.spacing, along = scene.wave ? fewest_along : fewest_along / 2;
     if (wave.shortest < along * coarsest * (1 - 1e-9))

@@ -9,6 +9,7 @@
 
 #include "methods/names.h"
 #include "scene/box/forcing_zones.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/wave_twin.h"
 #include "waves/dispersion.h"
@@ -59,6 +60,8 @@ std::string regular_wave_text(const Scene& scene) {
     const Resolution& r = scene.resolution;
     const bool linear = w.theory == RegularWave::Theory::linear;
     const double between = between_zones(scene);
+    const auto enters = inlet_wave(scene);
+    const char* where = enters ? "in the box" : "between the zones";
     std::string out = fmt::format(
         "wave        {:.4g} m high, {:.4g} m long, period {:.4g} s, towards {}x; crest {:.4g} m, trough {:.4g} m\n"
         "  theory    {}: {}\n"
@@ -69,15 +72,22 @@ std::string regular_wave_text(const Scene& scene) {
         wave_regime(w.height, w.length, w.depth), w.height / w.length, w.k() * w.depth, depth_regime(w.length, w.depth),
         ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth),
         speed_text(scene));
+    if (enters)
+        out += fmt::format(
+            "  enters    with the stream, which is faster than it, through the inlet; from {:.4g} s on, at its full "
+            "height from {:.4g} s on\n",
+            enters->begin, enters->begin + enters->ramp);
     out += fmt::format(
-        "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths between the zones\n"
+        "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths {}\n"
         "  run       {:.3g} periods",
-        w.height / r.near_hull, w.length / r.near_hull, between / w.length, scene.run.duration / w.encounter_period());
+        w.height / r.near_hull, w.length / r.near_hull, between / w.length, where,
+        scene.run.duration / w.encounter_period());
     if (particles_run(scene))
         out += fmt::format(
             "; artificial viscosity takes {:.2g} % of the particles' height in a wave length, {:.2g} % "
-            "between the zones (measured, of all causes: 2 to 4 % at eight particles in the height)",
-            100 * loss_by_artificial_viscosity(scene, w.length), 100 * loss_by_artificial_viscosity(scene, between));
+            "{}{}",
+            100 * loss_by_artificial_viscosity(scene, w.length), 100 * loss_by_artificial_viscosity(scene, between),
+            where, enters ? "" : " (measured, of all causes: 2 to 4 % at eight particles in the height)");
     if (wants_wave_twin(scene))
         out += scene.hull ? "\n  twin      each size is run without the wave too: what drag, trim and rise are more in "
                             "waves is given"

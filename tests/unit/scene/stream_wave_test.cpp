@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "scene/box/forcing_zones.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/mesh/mesh_cells.h"
 #include "scene/new_record.h"
@@ -101,6 +102,32 @@ TEST(StreamWave, IsMeasuredOnceItHasPassed) {
     EXPECT_EQ(s.fvm.max_courant, 0.15);
 }
 
+TEST(StreamWave, EntersWithAStreamThatIsFasterThanItWhereNothingRunsUpstream) {
+    const std::string wave = "height = 0.06\nlength = 1\n", off = "[effects]\nforcing_zones = \"off\"\n";
+    const auto zones_of = [](const Scene& s) { return forcing_zones(s).zones.size(); };
+    for (const Scene& s :
+         {scene_of(stream(wave, "", 2.5)),      // above the critical speed no wave stands
+          scene_of(stream(wave, off, 1.6))}) {  // below it the scene may say so; the wave's is 1.26 m/s
+        const auto enters = inlet_wave(s);
+        ASSERT_TRUE(enters);
+        EXPECT_EQ(enters->begin, s.motion.ramp);
+        EXPECT_NEAR(enters->ramp, s.wave->encounter_period(), 1e-12);
+        EXPECT_EQ(zones_of(s), 0);
+        EXPECT_EQ(s.domain.box.min.x(), s.domain.as_asked.min.x());
+        EXPECT_GE(s.sampling.mean_from, enters->begin + 3 * enters->ramp);
+        EXPECT_GT(s.sph.alpha, 0.005);  // it has no long way to keep its height on
+    }
+    for (const Scene& s : {scene_of(stream(wave, "", 1.6)), scene_of(stream(wave, "", 0.6)),
+                           scene_of(stream(wave, "[effects]\nforcing_zones = \"on\"\n", 1.6))}) {
+        EXPECT_FALSE(inlet_wave(s));
+        EXPECT_EQ(zones_of(s), 2);
+    }
+    EXPECT_NE(complaint(stream(wave, off, 1.2)).find("of at least their own speed"), std::string::npos);
+    EXPECT_NE(complaint(stream(wave, off, 1.2)).find("1.2"), std::string::npos);
+    EXPECT_TRUE(inlet_wave(scene_of(stream("height = 0.015\nlength = 1\n", "", 2.5))));  // 1.5 sizes high
+    EXPECT_NE(complaint(stream("height = 0.009\nlength = 1\n", "", 2.5)).find("at least 1 "), std::string::npos);
+}
+
 TEST(StreamWave, RefusesWhatItCannotMake) {
     const auto refused = [](const std::string& text, const std::string& part) {
         const std::string said = complaint(text);
@@ -114,7 +141,7 @@ TEST(StreamWave, RefusesWhatItCannotMake) {
     refused(stream(follows, "", 2), "1.5 times the wave's speed");
     refused(stream(follows, "", 0.1), "under its crests");
     refused(stream("height = 0.06\nlength = 1\ndirection = \"30 deg\"\n"), "oblique waves are not made");
-    refused(stream("height = 0.06\nlength = 1\n", "", 2.5), "expected a stream of at most");
+    refused(stream("height = 0.06\nlength = 1\n", "", 1.95), "expected a stream of at most");
     refused(stream("height = 0.06\nlength = 1\n", "", 0.1), "would leave through the inlet");
     refused(stream("height = 0.12\nlength = 1\n", "") + "[effects]\nforcing_zones = \"off\"\n", "made and absorbed");
     refused(stream("height = 0.02\nlength = 1\n"), "near_hull at most");
