@@ -226,13 +226,21 @@ SphSetup sph_setup(const Scene& scene, int threads, const Comm& ranks) {
                               {d.y_min == Side::slip_wall, d.y_max == Side::slip_wall},
                               {d.z_min == Side::slip_wall, d.z_max == Side::slip_wall}}};
     if (scene.motion.kind == Motion::Kind::stream) {
-        if (inlet_wave(scene)) throw InputError("the particles' inlet does not make waves yet");
         Stream stream;
         stream.speed = scene.motion.speed;
         stream.ramp = scene.motion.ramp;
         // the inlet must fill every support that reaches back over its plane, and outlast the steps between two list
         // builds
         stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, sizes_of_particles(scene) - 1);
+        if (const auto enters = inlet_wave(scene)) {
+            const RegularWave& wave = *scene.wave;
+            stream.wave = Stream::Wave{.sum = wave.sum,
+                                       .bernoulli = wave.bernoulli,
+                                       .gravity = wave.gravity,
+                                       .carried = wave.sum.direction * wave.transport / wave.depth,
+                                       .begin = enters->begin,
+                                       .ramp = enters->ramp};
+        }
         if (const auto tail = tailwater(scene)) {
             stream.behind_from = blocks_of_water(scene).back().min.x();
             stream.behind_share = tail->speed / stream.speed;

@@ -27,6 +27,7 @@ extern "C++" __device__ inline double sqrt(double x) { return __builtin_sqrt(x);
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/force_on_dummies.h"
+#include "sph_solver/loops/inlet_wave.h"
 #include "sph_solver/pair_loops/interpolate_isa.cpp"
 #include "sph_solver/pair_loops/level_pair_isa.cpp"
 #include "sph_solver/pair_loops/right_hand_side_isa.cpp"
@@ -57,6 +58,7 @@ TW_DEVICE_TASKS(task)
 TW_EFFECT_TASKS(task)
 TW_IMAGE_TASKS(task)
 TW_STAGE_TASKS(task)
+TW_INLET_TASKS(task)
 TW_BODY_TASKS(task)
 #undef task
 

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "waves/wave_path.h"
 
 namespace tw {
 
@@ -20,6 +23,18 @@ struct Stream {
     /// speed and of the acceleration, so that as much leaves as enters.
     double behind_from = std::numeric_limits<double>::infinity(), behind_share = 1;
 
+    /// A wave that enters with it: the inlet's particles move as the water under it, with its velocity and pressure
+    /// (loops/inlet_wave.h).
+    struct Wave {
+        WaveSum sum;
+        double bernoulli = 0, gravity = 0;  ///< [m2/s2], [m/s2]
+        double carried = 0;                 ///< mean velocity of the water that it carries along, over the depth [m/s]
+        double begin = 0, ramp = 0;         ///< of its height, as that of the stream [s]
+
+        double share(double t) const { return t <= begin ? 0 : t >= begin + ramp ? 1 : smooth((t - begin) / ramp); }
+    };
+    std::optional<Wave> wave = {};
+
     double share_at(double x) const { return x > behind_from ? behind_share : 1; }
     double velocity(double t) const { return t >= ramp ? speed : speed * smooth(t / ramp); }
     /// Made by the stream until t, over that which it would have made at full speed since half of the ramp [m].
@@ -28,6 +43,7 @@ struct Stream {
         const double q = t / ramp;
         return speed * ramp * (q * q * q * (1 - q / 2) - (q - 0.5));
     }
+    WaveInStream wave_at(double t) const { return {t, wave ? wave->share(t) : 0, velocity(t)}; }
     double acceleration(double t) const { return t >= ramp ? 0 : speed * smooth_slope(t / ramp) / ramp; }
 
 private:

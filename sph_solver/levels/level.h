@@ -118,6 +118,7 @@ private:
 
     // --- the parts of `advance`
     Move move_on(const Schedule::Move& move);
+    void carry_inlet(const Schedule::Move& move);
     struct Held {
         Vec3 lost;  ///< velocity of the particle, which the body gets by its mass [m/s]
         std::size_t body;

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "sph_solver/backend/stopwatch.h"
 #include "sph_solver/levels/level.h"
+#include "sph_solver/loops/inlet_wave.h"
 
 namespace tw {
 
@@ -58,6 +59,7 @@ Level::Impulses Level::advance(const Schedule::Move& move, const Vec3& moment_re
     system_.walls.note_motions();
     const auto held = [&](std::size_t i, Moved& part) { hold(i, moment_reference, part); };
     OfAllParts all = join(steps_->move(moving, held));
+    carry_inlet(move);
     agree(all, moment_reference);
     Impulses impulses = impulses_on_bodies(all, move.kick);
     note_extremes(all);
@@ -84,10 +86,27 @@ Move Level::move_on(const Schedule::Move& move) {
             .stream_before = system_.stream_velocity(system_.time),
             .stream_after = system_.stream_velocity(system_.time + dt),
             .outlet_share = system_.around.stream ? system_.around.stream->behind_share : 1,
+            .inlet_has_wave = system_.inlet_has_wave(),
             .shifts = s.shifting > 0,
             .shifting_support = s.shifting_support,
             .shift_step = ShiftStep(s.shifting, dt, system_.h, s.dp),
             .stages = stages_.mean()};
+}
+
+/// The wave that enters with the stream. Places are then those of the step's end.
+void Level::carry_inlet(const Schedule::Move& move) {
+    if (!system_.inlet_has_wave()) return;
+    const auto [dt, drifted, drift] = move;
+    const Stream& stream = *system_.around.stream;
+    const double before = system_.time, after = before + dt;
+    const StepView view = steps_->step_view(before);
+    view.each(view.n, CarryInlet{.p = view.p,
+                                 .kind = view.kind,
+                                 .wave = system_.wave_of_inlet(),
+                                 .before = stream.wave_at(before),
+                                 .middle = stream.wave_at(before + dt / 2),
+                                 .after = stream.wave_at(after),
+                                 .moved = drifted + drift});
 }
 
 /// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the

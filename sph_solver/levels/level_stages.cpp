@@ -23,9 +23,10 @@ void LevelStages::note_compression() {
 void LevelStages::go_to(double since) {
     const Stopwatch watch(timers_.update);
     const StepView view = steps_->step_view(system_.time);
-    view.each(view.n, GoToStage{view.p, view.kind, start_.data(), view.rate, since,
-                                system_.stream_velocity(system_.time + since), system_.stream_velocity(system_.time),
-                                system_.around.stream ? system_.around.stream->behind_share : 1});
+    view.each(view.n,
+              GoToStage{view.p, view.kind, start_.data(), view.rate, since,
+                        system_.stream_velocity(system_.time + since), system_.stream_velocity(system_.time),
+                        system_.around.stream ? system_.around.stream->behind_share : 1, system_.inlet_has_wave()});
 }
 
 void LevelStages::add(double weight, bool first, bool freeze_diffusion) {

@@ -5,6 +5,7 @@
 
 #include "sph_solver/cuda/faces.h"
 #include "sph_solver/levels/arrays_on_device.h"
+#include "sph_solver/loops/inlet_wave.h"
 
 namespace tw {
 
@@ -195,6 +196,11 @@ void LevelOnDevice::cross_faces() {
                      cuda::Enter{on.p.all(), on.entered.numbers(), on.entered.before(), on.gone.data(), n,
                                  stream->buffer, ledger.next_id},
                      n);
+        if (level_.inlet_has_wave() && count > 0)
+            cuda::launch(
+                *device_,
+                EnterUnderWave{on.p.view(), level_.wave_of_inlet(), n, stream->wave_at(level_.time), stream->buffer},
+                static_cast<std::size_t>(count));
         ledger.in += count, ledger.next_id += count;
     }
     on.wide.resize(all), on.left.resize(all);

@@ -1,4 +1,5 @@
 #include "sph_solver/levels/particle_system.h"
+#include "sph_solver/loops/inlet_wave.h"
 
 #include <algorithm>
 #include <bit>
@@ -74,6 +75,12 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
     const Eigen::Vector3f u = around.frame->velocity_of_rest().cast<float>();
     for (std::size_t i = 0; i < particles.size(); ++i)
         particles.u[i] = u.x(), particles.v[i] = u.y(), particles.w[i] = u.z();
+}
+
+WaveOfInlet ParticleSystem::wave_of_inlet() const {
+    const Stream::Wave& wave = *around.stream->wave;
+    const double c0 = setup.state_equation.c0;
+    return {wave.sum, wave.bernoulli, wave.gravity, wave.carried, setup.rho0, 1 / (c0 * c0)};
 }
 
 WaterView ParticleSystem::water_view() const {

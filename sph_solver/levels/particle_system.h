@@ -25,6 +25,8 @@
 
 namespace tw {
 
+struct WaveOfInlet;
+
 struct EffectOptions;
 
 /// Who stands where, and who meets whom. Where a device makes the steps only what the host has asked for is here, and
@@ -132,6 +134,8 @@ struct ParticleSystem {
         const Vec3 of_wall = walls.velocity_at(p.wall_body[i], {p.x[i], p.y[i], p.z[i]}, triangle);
         return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
     }
+    bool inlet_has_wave() const { return around.stream && around.stream->wave; }
+    WaveOfInlet wave_of_inlet() const;  ///< of a stream that has one
     double stream_velocity(double t) const { return around.stream ? around.stream->velocity(t) : 0; }
     /// The larger of the fastest particle's speed and the stream's [m/s].
     double reference_speed() const { return std::max(extremes.speed, stream_velocity(time)); }

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "sph_solver/backend/for_particles.h"
 #include "sph_solver/levels/rank_share.h"
+#include "sph_solver/loops/inlet_wave.h"
 
 namespace tw {
 
@@ -166,7 +167,13 @@ std::vector<std::int32_t> RankShare::cross_and_hold(double reach) {
         let_go({});
     }
     const Ledger before = level_.ledger;
+    const std::size_t n = p.size();
     const auto [gone, entered] = cross_open_boundaries(level_.around, level_.setup.dp, p, level_.ledger);
+    if (level_.inlet_has_wave()) {
+        const Stream& stream = *level_.around.stream;
+        for_particles(entered.size(), EnterUnderWave{level_.state_view(), level_.wave_of_inlet(), n,
+                                                     stream.wave_at(level_.time), stream.buffer});
+    }
     std::vector<std::int32_t> index;
     for (std::size_t i = 0; i < p.size(); ++i)
         if (!gone[i]) index.push_back(static_cast<std::int32_t>(i));

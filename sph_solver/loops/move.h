@@ -38,6 +38,7 @@ struct Move {
     double dt, drifted, drift;
     double stream_before, stream_after;  ///< velocity along x [m/s]
     double outlet_share;                 ///< of its change, which the water behind the outlet shares in [-]
+    bool inlet_has_wave;                 ///< CarryInlet gives its particles their velocities
     bool shifts;
     double shifting_support;  ///< of LevelSetup
     ShiftStep shift_step;
@@ -72,7 +73,9 @@ struct Move {
                 shift_towards_voids();
                 break;
             }
-            case Kind::inlet: p.u[i] = static_cast<float>(stream_after); break;
+            case Kind::inlet:
+                if (!inlet_has_wave) p.u[i] = static_cast<float>(stream_after);
+                break;
             case Kind::outlet: p.u[i] = static_cast<float>(u0 + outlet_share * (stream_after - stream_before)); break;
             case Kind::buffer: {
                 const Trend& t = trend[i];

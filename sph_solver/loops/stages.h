@@ -35,6 +35,7 @@ struct GoToStage {
     double since;                  ///< [s]
     double stream, stream_before;  ///< its velocity now, and at the step's begin [m/s]
     double outlet_share;           ///< of Move [-]
+    bool inlet_has_wave;           ///< of Move; then they keep their velocities over the step
 
     void operator()(std::size_t i) const {
         const StageStart& from = start[i];
@@ -49,7 +50,9 @@ struct GoToStage {
                 p.w[i] = static_cast<float>(static_cast<double>(from.w) + since * static_cast<double>(r.az));
                 p.drho[i] = static_cast<float>(static_cast<double>(from.drho) + since * static_cast<double>(r.drho));
                 break;
-            case Kind::inlet: p.u[i] = static_cast<float>(stream); break;
+            case Kind::inlet:
+                if (!inlet_has_wave) p.u[i] = static_cast<float>(stream);
+                break;
             case Kind::outlet:
                 p.u[i] = static_cast<float>(static_cast<double>(from.u) + outlet_share * (stream - stream_before));
                 break;

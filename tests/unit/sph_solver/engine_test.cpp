@@ -17,6 +17,7 @@
 #include "sph_solver/scene_setup.h"
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
+#include "waves/regular_wave.h"
 
 namespace tw {
 namespace engine_test {
@@ -43,6 +44,13 @@ SimulationSetup stream(int threads = 1) {
     s.stream = Stream{4, 0.02, 0.5};
     s.bodies = {box_surface({Vec3(-0.3, -0.3, -0.2), Vec3(0.3, 0.3, 0.4)})};
     s.threads = threads;
+    return s;
+}
+/// The same with a wave that enters with it.
+SimulationSetup stream_with_wave(int threads = 1) {
+    SimulationSetup s = stream(threads);
+    const RegularWave wave = regular_wave({.height = 0.2, .length = 4, .depth = 1, .closed = false, .stream = 4});
+    s.stream->wave = Stream::Wave{wave.sum, wave.bernoulli, wave.gravity, wave.transport, 0.02, 0.05};
     return s;
 }
 Fluid stream_water(const SimulationSetup& s) {
@@ -87,6 +95,25 @@ TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
         EXPECT_TRUE(same_bits(one.particles(), three.particles())) << c.evaluations;
         EXPECT_EQ(one.load().force.z(), three.load().force.z());
         EXPECT_NE(one.load().force.z(), 0);
+    }
+}
+
+TEST(Engine, AWaveThatEntersGoesOnWithTheSameBitsAfterARestartAndWithAnyNumberOfThreads) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "restart_wave_test.h5";
+    for (const SchemeCase& c : every_scheme) {
+        SCOPED_TRACE(c.evaluations);
+        const SimulationSetup s = with(stream_with_wave(), c);
+        Simulation whole(s, stream_water(s)), calm(with(stream(), c), stream_water(s));
+        for (int k = 0; k < 20; ++k) whole.step(), calm.step();
+        write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
+        whole.mark_restart_point();
+        Simulation resumed(with(stream_with_wave(3), c), stream_water(s));
+        Checkpoint saved = read_checkpoint(file, "a scene");
+        restore(resumed, saved);
+        for (int k = 0; k < 40; ++k) whole.step(), resumed.step(), calm.step();
+        EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
+        EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
+        EXPECT_FALSE(same_bits(whole.particles(), calm.particles()));
     }
 }
 

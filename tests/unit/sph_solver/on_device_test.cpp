@@ -11,6 +11,7 @@
 #include "sph_solver/gpu_self_test.h"
 #include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/state/checkpoint.h"
+#include "waves/regular_wave.h"
 
 namespace tw {
 namespace on_device_test {
@@ -82,6 +83,13 @@ TEST_F(OnDevice, AParticleTakesLessThanFourHundredBytes) {
 
 TEST_F(OnDevice, SoDoesAStreamWithInletOutletAndAirAlongItsWalls) {
     expect_the_same_run(stream(), stream_water(stream()), 40);
+}
+
+TEST_F(OnDevice, SoDoesAWaveThatEntersWithIt) {
+    SimulationSetup s = stream();
+    const RegularWave wave = regular_wave({.height = 0.2, .length = 4, .depth = 1, .closed = false, .stream = 4});
+    s.stream->wave = Stream::Wave{wave.sum, wave.bernoulli, wave.gravity, wave.transport, 0.02, 0.05};
+    expect_the_same_run(s, stream_water(s), 40);
 }
 
 TEST_F(OnDevice, ParticlesThatAWallHasToHoldAreLookedAfterByTheHost) {

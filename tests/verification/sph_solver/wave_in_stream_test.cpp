@@ -101,5 +101,23 @@ TEST(WaveInStream, OfTwoPartsHasEachAtItsFrequencyOfEncounter) {
                   0.3 * sea.waves.height[0]);
 }
 
+// The stream is faster than the wave, which enters with it without any zone.
+TEST(WaveInStream, ThatEntersWithItHasItsHeightPeriodAndPhase) {
+    const auto [scene, record] =
+        run("enters", text(2, 4, "height = 0.05\nlength = 0.8\n") + "[effects]\nforcing_zones = \"off\"\n");
+    ASSERT_EQ(record.state, "finished") << record.reason;
+    const RegularWave& wave = *scene.wave;
+    EXPECT_GT(2, 1.5 * wave.speed_in_water);
+    const double omega = wave.encounter_frequency();
+    for (const auto& [gauge, x] : gauges) {
+        const Complex found = amplitude(record, gauge, omega, 6 * wave.encounter_period()) /
+                              (wave.sum.eta[0] * std::polar(1.0, wave.k() * x));
+        std::printf("%s: height %.3f of that asked for, phase %.1f degrees\n", gauge, std::abs(found),
+                    std::arg(found) * 180 / pi);
+        EXPECT_NEAR(std::abs(found), 1, 0.03) << gauge;
+        EXPECT_NEAR(std::arg(found), 0, 0.1) << gauge;
+    }
+}
+
 }  // namespace wave_in_stream_test
 }  // namespace tw
