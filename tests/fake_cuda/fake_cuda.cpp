@@ -25,6 +25,7 @@
 #include "sph_solver/effects/kernels.h"
 #include "sph_solver/loops/count_kinds.h"
 #include "sph_solver/loops/force_on_dummies.h"
+#include "sph_solver/loops/inlet_wave.h"
 #include "sph_solver/pair_loops/interpolate.h"
 #include "sph_solver/pair_loops/level_pair_views.h"
 #include "sph_solver/pair_loops/views.h"
@@ -190,8 +191,8 @@ const std::map<std::string, EmulatedKernel>& kernels() {
 #define pair_loop_of_chosen(name, View) {#name, run_pair_loop_of_chosen<View>},
         TW_DEVICE_PAIR_LOOPS(pair_loop) TW_EFFECT_PAIR_LOOPS(pair_loop) TW_PAIR_PAIR_LOOPS(pair_loop)
             TW_DEVICE_TASKS(task) TW_DEVICE_COUNTING_TASKS(counting) TW_EFFECT_TASKS(task) TW_IMAGE_TASKS(task)
-                TW_STAGE_TASKS(task) TW_BODY_TASKS(task) TW_DEVICE_LARGEST(largest) TW_EFFECT_LARGEST(largest)
-                    TW_DEVICE_CHOICES(choose) TW_EFFECT_CHOICES(choose)
+                TW_STAGE_TASKS(task) TW_INLET_TASKS(task) TW_BODY_TASKS(task) TW_DEVICE_LARGEST(largest)
+                    TW_EFFECT_LARGEST(largest) TW_DEVICE_CHOICES(choose) TW_EFFECT_CHOICES(choose)
                         TW_EFFECT_PAIR_LOOPS_OF_CHOSEN(pair_loop_of_chosen)
 #undef pair_loop
 #undef task

@@ -100,7 +100,7 @@ TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
 
 TEST(Engine, AWaveThatEntersGoesOnWithTheSameBitsAfterARestartAndWithAnyNumberOfThreads) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "restart_wave_test.h5";
-    for (const SchemeCase& c : every_scheme) {
+    for (const SchemeCase& c : {every_scheme[1], every_scheme[3]}) {  // of one evaluation, and of stages
         SCOPED_TRACE(c.evaluations);
         const SimulationSetup s = with(stream_with_wave(), c);
         Simulation whole(s, stream_water(s)), calm(with(stream(), c), stream_water(s));
@@ -110,7 +110,7 @@ TEST(Engine, AWaveThatEntersGoesOnWithTheSameBitsAfterARestartAndWithAnyNumberOf
         Simulation resumed(with(stream_with_wave(3), c), stream_water(s));
         Checkpoint saved = read_checkpoint(file, "a scene");
         restore(resumed, saved);
-        for (int k = 0; k < 40; ++k) whole.step(), resumed.step(), calm.step();
+        for (int k = 0; k < 20; ++k) whole.step(), resumed.step(), calm.step();
         EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
         EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
         EXPECT_FALSE(same_bits(whole.particles(), calm.particles()));
