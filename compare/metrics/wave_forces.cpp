@@ -46,10 +46,10 @@ void add_forces_over_wave(Comparison& comparison, const std::string& unit, const
                               "the first harmonic of the surface at the place of {} in the run without "
                               "it, period by period, mean over {} whole periods{}",
                               obstacle, periods.count, missing);
-        Quantity amplitude =
-                     new_quantity("wave_force_over_wave_" + axis,
-                                  fmt::format("Wave force {} over the wave without {}", way, obstacle), unit + "/m",
-                                  "amplitude of the first harmonic of the force on it over that of " + over),
+        Quantity amplitude = new_quantity("wave_force_over_wave_" + axis,
+                                          fmt::format("Wave force {} over the wave without {}", way, obstacle),
+                                          unit == "N/m" ? "N/m2" : unit + "/m",
+                                          "amplitude of the first harmonic of the force on it over that of " + over),
                  phase = new_quantity("wave_force_lead_" + axis,
                                       fmt::format("Lead of the wave force {} over the wave without {}", way, obstacle),
                                       "deg", "phase of the first harmonic of the force on it before that of " + over);

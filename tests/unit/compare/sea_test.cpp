@@ -84,6 +84,16 @@ TEST(SeaMeasure, GivesHeightPeakAndReflectionOverWholeRepeatPeriods) {
                 0.9, 1e-3);
 }
 
+// Waves that run back against a stream are shorter than those that come with it, so lengths of still water tell nothing.
+TEST(SeaMeasure, InAStreamGivesNoReflection) {
+    RunRecord r = record_of("jonswap", 27, 0.05);
+    ASSERT_TRUE(compared(r).find("wave_reflection"));
+    r.numbers["speed"] = 0.6;
+    const Comparison c = compared(r);
+    EXPECT_FALSE(c.find("wave_reflection"));
+    EXPECT_TRUE(c.find("significant_height:b"));
+}
+
 TEST(SeaMeasure, OfAShorterRecordItIsASample) {
     const Comparison c = compared(record_of("jonswap", 17, 0));
     const MeanValue& height = c.find("significant_height:b")->values[0];
