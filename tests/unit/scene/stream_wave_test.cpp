@@ -124,8 +124,8 @@ TEST(StreamWave, EntersWithAStreamThatIsFasterThanItWhereNothingRunsUpstream) {
     }
     EXPECT_NE(complaint(stream(wave, off, 1.2)).find("of at least their own speed"), std::string::npos);
     EXPECT_NE(complaint(stream(wave, off, 1.2)).find("1.2"), std::string::npos);
-    EXPECT_TRUE(inlet_wave(scene_of(stream("height = 0.015\nlength = 1\n", "", 2.5))));  // 1.5 sizes high
-    EXPECT_NE(complaint(stream("height = 0.009\nlength = 1\n", "", 2.5)).find("at least 1 "), std::string::npos);
+    EXPECT_TRUE(inlet_wave(scene_of(stream("height = 0.006\nlength = 1\n", "", 2.5))));  // 0.6 sizes high
+    EXPECT_NE(complaint(stream("height = 0.004\nlength = 1\n", "", 2.5)).find("at least 0.5 "), std::string::npos);
 }
 
 TEST(StreamWave, RefusesWhatItCannotMake) {
