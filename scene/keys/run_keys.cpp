@@ -274,8 +274,8 @@ Rows volume_keys() {
 
 Rows measured_keys() {
     return {
-        {.name = "quantity", .kind = Kind::name, .fallback = "required",
-         .meaning = "Name of the quantity in report.json and quantities.csv: lift, drag, total_drag, ..."},
+        {.name = "quantity", .kind = Kind::text, .fallback = "required",
+         .meaning = "Name of the quantity in report.json and quantities.csv: lift, total_drag, heave_response:hull, ..."},
         {.name = "value", .kind = Kind::text, .fallback = "required",
          .meaning = "What was measured, with its unit in quotes: \"71.25 N\"; of a half model that of the whole hull."},
         {.name = "uncertainty", .kind = Kind::text, .fallback = "not known",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -131,6 +132,22 @@ std::vector<WaterBox> read_volumes(std::vector<SceneSection>& sections) {
     return all;
 }
 
+namespace {
+
+/// Of a quantity of the report: a name, and behind colons those of its body or place, as in heave_response:hull.
+std::string quantity_named(SceneSection& s) {
+    const std::string name = s.text("quantity").value_or("");
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == ':'; };
+    if (name.empty() || name.size() > 80 || !letter(name[0]) || !std::ranges::all_of(name, allowed))
+        s.fail("quantity",
+               "expected the name of a quantity of the report, of letters, digits, '_' and ':', as \"lift\" or "
+               "\"heave_response:hull\"");
+    return name;
+}
+
+}  // namespace
+
 std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections) {
     std::vector<MeasuredValue> all;
     std::set<std::string> taken;
@@ -143,7 +160,7 @@ std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections) {
         MeasuredValue m;
         if (!s.has("quantity"))
             s.fail("quantity", "missing; expected the name of a quantity of the report, as \"lift\"");
-        m.quantity = s.identifier("quantity", "");
+        m.quantity = quantity_named(s);
         if (!taken.insert(m.quantity).second)
             s.fail("quantity", fmt::format("{} has a measured value already; give each quantity one", m.quantity));
         const std::string value = required("value", "the measured value with its unit, as \"71.25 N\"");

@@ -31,6 +31,19 @@ TEST(Measured, StandInTheRecordInSIUnitsAndChangeNoHash) {
     EXPECT_EQ(run_hash(scene, "sph"), run_hash(scene_of(planing), "sph"));
 }
 
+TEST(Measured, MayBeOfAQuantityOfABody) {
+    const std::vector<MeasuredValue> values = measured_values(
+        new_record(scene_of(measured("quantity = \"heave_response:hull\"\nvalue = \"1.23\"\n" + source)), "sph"));
+    ASSERT_EQ(values.size(), 1u);
+    EXPECT_EQ(values[0].quantity, "heave_response:hull");
+    EXPECT_EQ(values[0].value, 1.23);
+    for (const char* name : {"1lift", ":lift", "a b", "lift;rm", "../lift", "lift$(x)"})
+        EXPECT_NE(complaint(measured("quantity = \"" + std::string(name) + "\"\nvalue = \"1\"\n" + source))
+                      .find("of letters, digits, '_' and ':'"),
+                  std::string::npos)
+            << name;
+}
+
 TEST(Measured, ThatAreNotWholeAreRefusedInWords) {
     const std::string value = "quantity = \"lift\"\nvalue = \"71.25 N\"\n";
     const auto says = [&](const std::string& lines, const char* what) {
