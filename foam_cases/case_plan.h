@@ -8,6 +8,7 @@
 #include "record/hull_motion.h"
 #include "record/run_record.h"
 #include "scene/box/forcing_zones.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/mesh/edge_refinement.h"
 #include "scene/mesh/mesh_motion.h"
 #include "scene/scene.h"
@@ -112,7 +113,8 @@ struct CasePlan {
     std::string walls;                    ///< what holds of them, for the record
     double inlet_k = 0, inlet_omega = 0;  ///< [m2/s2], [1/s]
     ZoneSource zones;                     ///< that absorb waves
-    std::string zone_library;             ///< of them (foam_cases/forcing_zones); empty without zones
+    std::optional<InletWave> inlet_wave;  ///< a wave that enters with the stream
+    std::string zone_library;             ///< of both (foam_cases/forcing_zones); empty without zones and such a wave
 
     // time
     double write_interval = 0;  ///< [s]; hull pressures (and so the water's force) are sampled at it

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -16,7 +17,6 @@
 #include "foam_cases/viscous_steps.h"
 #include "meshes/query.h"
 #include "meshes/section.h"
-#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_walls.h"
 #include "scene/defaults.h"
 #include "scene/mesh/mesh_cells.h"
@@ -275,10 +275,9 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
     plan.scene = &scene;
     plan.flavour = flavour;
     plan.stream = scene.motion.kind == Motion::Kind::stream;
-    if (inlet_wave(scene))
-        throw InputError("interFoam's inlet does not make waves yet that enter with the stream; expected --method sph");
     const ForcingZones zones = forcing_zones(scene);
     plan.zones = {Vec3(zones.speed, 0, 0), zones.zones};
+    plan.inlet_wave = inlet_wave(scene);
     if (scene.wave) plan.zones.wave = scene.wave->sum;
     if (scene.sea) plan.zones.sea = scene.sea->waves;
     plan.viscous = scene.effect_on("viscosity");
@@ -346,10 +345,18 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
 
 namespace {
 
-/// Without the library waves and the level would come back from the ends, and no result would say so.
+/// A library that was built before waves could enter has zones alone.
+bool lets_waves_in(const std::filesystem::path& library) {
+    std::ifstream file(library, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    return bytes.find("waveInletFraction") != std::string::npos;
+}
+
+/// Without the library waves and the level would come back from the ends, and no result would say so; or OpenFOAM would
+/// not know the inlet.
 void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
-    if (plan.zones.zones.empty()) return;
-    plan.zone_library = openfoam.zone_library.string();
+    if (plan.zones.zones.empty() && !plan.inlet_wave) return;
+    if (!plan.inlet_wave || lets_waves_in(openfoam.zone_library)) plan.zone_library = openfoam.zone_library.string();
     if (!plan.zone_library.empty()) return;
     const std::string remedy =
         !plan.flavour.has_forcing_zones() ? "they are written for openfoam.com and for openfoam.org from 12"
@@ -359,11 +366,14 @@ void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
         : openfoam.solver.parent_path() == openfoam.bin
             ? setup_command() + " builds it in the environment of that release"
             : setup_command() + " builds it";
-    throw InputError(fmt::format(
-        "this scene has forcing zones, which absorb the waves that the ends of the water would reflect, and {} {} "
-        "({}) has no library of them that works: {}; or switch them off by forcing_zones = \"off\" in [effects], and "
-        "drag and level depend on the size of the box",
-        openfoam.vendor, openfoam.version, openfoam.command(), remedy));
+    const char *has = plan.inlet_wave
+                          ? "waves that enter with the stream"
+                          : "forcing zones, which absorb the waves that the ends of the water would reflect",
+               *instead = plan.inlet_wave ? "use the particle method"
+                                          : "switch them off by forcing_zones = \"off\" in [effects], and drag and "
+                                            "level depend on the size of the box";
+    throw InputError(fmt::format("this scene has {}, and {} {} ({}) has no library of them that works: {}; or {}", has,
+                                 openfoam.vendor, openfoam.version, openfoam.command(), remedy, instead));
 }
 
 }  // namespace

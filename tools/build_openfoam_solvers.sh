@@ -12,9 +12,10 @@
 #
 # Solvers: interFoam (always), interIsoFoam, potentialFoam. About 40 s per solver on two cores, 0.4 GB of disk while it
 # builds (JOBS=n sets the compiler processes). Two libraries are twinwake's own (10 s): walls that let water go where air
-# can come (foam_cases/ventilated_wall), and zones that absorb waves (foam_cases/forcing_zones). No system setting is
-# touched, and no root right is needed. Does nothing when all is there, the solvers start and belong to the installed
-# package, and the libraries to their source. Needs: openfoam, dpkg-dev, g++, make, flex, libopenmpi-dev, zlib1g-dev.
+# can come (foam_cases/ventilated_wall), and zones that absorb waves with an inlet at which waves enter
+# (foam_cases/forcing_zones). No system setting is touched, and no root right is needed. Does nothing when all is there,
+# the solvers start and belong to the installed package, and the libraries to their source. Needs: openfoam, dpkg-dev, g++,
+# make, flex, libopenmpi-dev, zlib1g-dev.
 set -euo pipefail
 
 sources=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
@@ -129,8 +130,8 @@ for name in $(missing_libraries); do
     g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DOPENFOAM=1912 -DWM_DP \
         -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
         -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
-        -I"$sources/../waves" -o "$work/build/${libraries_of[$name]}" "$sources/$name/$name.C" >>"$log" 2>&1 ||
-        die "$sources/$name/$name.C did not build, see $log; interFoam runs without it, and \`twinwake doctor\` says what it then cannot do"
+        -I"$sources/../waves" -o "$work/build/${libraries_of[$name]}" "$sources/$name"/*.C >>"$log" 2>&1 ||
+        die "$sources/$name did not build, see $log; interFoam runs without it, and \`twinwake doctor\` says what it then cannot do"
     mv "$work/build/${libraries_of[$name]}" "$work/lib/${libraries_of[$name]}"
     library_stamp "$name" >"$work/lib/$name.stamp"
 done

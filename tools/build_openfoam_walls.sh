@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds twinwake's two libraries for the OpenFOAM whose environment is loaded (openfoam.com or openfoam.org, from a
 # package with its sources or built by hand): walls that let water go where air can come (foam_cases/ventilated_wall),
-# and zones that absorb waves (foam_cases/forcing_zones).
+# and zones that absorb waves with an inlet at which waves enter (foam_cases/forcing_zones).
 #
 #   source /opt/openfoam12/etc/bashrc               # or openfoam2506, a module, ...
 #   tools/build_openfoam_walls.sh FOLDER            -> FOLDER/walls/openfoam.org-12/libventilatedWall.so
@@ -39,7 +39,7 @@ build() {  # $1 from the folder $2
     mkdir -p "$folder/Make"
     cp "$source_folder/$2"/*.[CH] "$source_folder"/../waves/wave_{sum,components}.h "$folder"
     # wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
-    printf '%s.C\nLIB = %s/%s\n' "$2" "$folder" "$1" >"$folder/Make/files"
+    (cd "$folder" && printf '%s\n' *.C "LIB = $folder/$1") >"$folder/Make/files"
     # shellcheck disable=SC2016   # make's variables
     printf '%s\n' 'EXE_INC = -I$(LIB_SRC)/finiteVolume/lnInclude -I$(LIB_SRC)/meshTools/lnInclude' \
         'LIB_LIBS = -lfiniteVolume -lmeshTools' >"$folder/Make/options"

@@ -32,6 +32,7 @@ std::vector<CaseFile> case_files(const CasePlan& plan, int ranks) {
     for (CaseFile& f : mesh_motion_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : tank_motion_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : forcing_zones_files(plan)) files.push_back(std::move(f));
+    for (CaseFile& f : inlet_wave_files(plan)) files.push_back(std::move(f));
     for (CaseFile& f : turbulence_fields(plan)) files.push_back(std::move(f));
     return files;
 }

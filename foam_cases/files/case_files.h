@@ -44,6 +44,8 @@ std::vector<CaseFile> tank_motion_files(const CasePlan& plan);
 std::string forcing_zones_file(const Flavour& flavour, const ZoneSource& source);
 void add_zones(const ZoneSource& source, Dictionary& sources);    ///< to the entries of that file
 std::vector<CaseFile> forcing_zones_files(const CasePlan& plan);  ///< none without zones
+/// constant/inletWave; none where no wave enters with the stream.
+std::vector<CaseFile> inlet_wave_files(const CasePlan& plan);
 std::vector<CaseFile> turbulence_fields(const CasePlan& plan);    ///< k, omega, nut; none in laminar flow
 
 std::string allrun_script(const CasePlan& plan, int ranks);

@@ -1,18 +1,10 @@
 #include <map>
 
 #include "foam_cases/files/case_files.h"
+#include "foam_cases/files/wave_numbers.h"
 
 namespace tw {
 namespace {
-
-/// As forcing_zones.C reads it.
-Dictionary numbers_of(const WaveSum& wave) {
-    List U, eta;
-    for (int j = 0; j < wave.terms; ++j) U.push_back(wave.U[j]), eta.push_back(wave.eta[j]);
-    return {{"k", wave.k},         {"depth", wave.depth},     {"direction", wave.direction}, {"speed", wave.speed},
-            {"phase", wave.phase}, {"current", wave.current}, {"crest", wave.crest},         {"U", U},
-            {"eta", eta}};
-}
 
 /// Its zones know water at rest: they take frequencies as they are met, and heights that make with them the velocities
 /// that the waves have in their water.

@@ -25,6 +25,7 @@
 #include "fvMatrices.H"
 #include "volFields.H"
 #include "wave_components.h"
+#include "wave_numbers.H"
 #ifdef OPENFOAM
 #include "fvOption.H"
 #else
@@ -72,20 +73,7 @@ class forcingZones : public Source {
         }
         isSea_ = dict.found("sea");
         if (isSea_) takeSea(dict.subDict("sea"));
-        if (dict.found("wave")) takeWave(dict.subDict("wave"));
-    }
-
-    void takeWave(const dictionary& dict) {
-        dict.lookup("k") >> wave_.k;
-        dict.lookup("depth") >> wave_.depth;
-        dict.lookup("direction") >> wave_.direction;
-        dict.lookup("speed") >> wave_.speed;
-        dict.lookup("phase") >> wave_.phase;
-        dict.lookup("current") >> wave_.current;
-        dict.lookup("crest") >> wave_.crest;
-        const scalarList U(dict.lookup("U")), eta(dict.lookup("eta"));
-        wave_.terms = min(min(U.size(), eta.size()), label(tw::WaveSum::most));
-        for (label j = 0; j < wave_.terms; ++j) wave_.U[j] = U[j], wave_.eta[j] = eta[j];
+        if (dict.found("wave")) wave_ = takeWave(dict.subDict("wave"));
     }
 
     void takeSea(const dictionary& dict) {

@@ -1,0 +1,13 @@
+#include "foam_cases/files/wave_numbers.h"
+
+namespace tw {
+
+Dictionary numbers_of(const WaveSum& wave) {
+    List U, eta;
+    for (int j = 0; j < wave.terms; ++j) U.push_back(wave.U[j]), eta.push_back(wave.eta[j]);
+    return {{"k", wave.k},         {"depth", wave.depth},     {"direction", wave.direction}, {"speed", wave.speed},
+            {"phase", wave.phase}, {"current", wave.current}, {"crest", wave.crest},         {"U", U},
+            {"eta", eta}};
+}
+
+}  // namespace tw
