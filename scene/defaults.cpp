@@ -6,6 +6,7 @@
 
 #include "scene/box/box_walls.h"
 #include "scene/box/inlet_wave.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
@@ -159,6 +160,8 @@ double wave_has_passed(const Scene& scene) {
     const WaveScales wave = wave_scales(scene);
     if (scene.sea && scene.sea->kind == Sea::Kind::focused)  // what is measured is its crest
         return std::max(0.0, scene.sea->focus_time - 2 * wave.period);
+    if (runs_obliquely(scene))
+        return start_of(scene) + std::max(settling(scene), 3 * wave.period + time_to_fill(scene));
     if (scene.motion.kind == Motion::Kind::stream) {
         const Box &all = scene.domain.box, &open = scene.domain.undamped;
         const double way = wave.comes_from_low_x ? open.max.x() - all.min.x() : all.max.x() - open.min.x();

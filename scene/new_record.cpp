@@ -19,6 +19,7 @@
 #include "record/this_machine.h"
 #include "record/wave_twin.h"
 #include "scene/box/box_walls.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/doubtful_input.h"
 #include "scene/hash.h"
 #include "scene/particles/particle_levels.h"
@@ -221,6 +222,10 @@ void note_waves(RunRecord& record, const Scene& scene) {
         record.numbers["wave_trough"] = wave.trough;
         // as it is met: a following wave that the hull overtakes comes from ahead
         record.numbers["wave_direction"] = wave.sum.speed > 0 ? wave.sum.direction : -wave.sum.direction;
+        if (runs_obliquely(scene)) {  // cosine and sine; a gauge then needs both its coordinates
+            record.numbers["wave_across"] = wave.sum.across;
+            for (const HeightProbe& p : scene.sampling.height) record.numbers["height_y_" + p.name] = p.y;
+        }
     }
     if (scene.sea) note_sea(record, scene);
     if (!scene.has_wave()) return;

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "methods/methods.h"
 #include "record/wave_twin.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/hash.h"
 
 namespace tw {
@@ -44,10 +45,10 @@ void leave_solids_out(Scene& scene) {
     scene.bodies.clear();
 }
 
-/// The sides stay walls, as the wave made them.
+/// The sides stay walls, as the wave made them, or zones, as an oblique one did.
 void leave_wave_out(Scene& scene) {
+    if (!runs_obliquely(scene)) scene.zones.sides = "walls";
     scene.wave.reset();
-    scene.zones.sides = "walls";
 }
 
 }  // namespace

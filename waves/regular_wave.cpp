@@ -61,6 +61,7 @@ RegularWave of_length(const WaveOrder& order, RegularWave::Theory theory, double
     w.sum.k = 2 * pi / length;
     w.sum.depth = order.depth;
     w.sum.direction = order.direction;
+    w.sum.across = order.across;
     w.sum.crest = w.crest;
     w.sum.current = order.closed ? -order.direction * w.transport / order.depth : order.stream;
     w.sum.speed = w.speed_in_water + order.direction * w.sum.current;
@@ -97,9 +98,9 @@ double RegularWave::encounter_period() const { return 2 * pi / std::abs(encounte
 double RegularWave::period_in_water() const { return length / speed_in_water; }
 
 double RegularWave::pressure_over_density(double x, double z, double t) const {
-    double u, w;
-    wave_velocity(sum, x, z, t, u, w);
-    const double past = sum.direction * u - sum.speed;
+    double u, v, w;
+    wave_velocity(sum, x, 0, z, t, u, v, w);
+    const double past = sum.direction * u + sum.across * v - sum.speed;
     return bernoulli - gravity * z - (past * past + w * w) / 2;
 }
 

@@ -6,7 +6,7 @@
 
 namespace tw {
 
-/// A regular wave, long-crested along x, on water of uniform depth.
+/// A regular wave, long-crested, on water of uniform depth.
 struct RegularWave {
     enum class Theory { linear, stream_function } theory = Theory::stream_function;
     std::string why = {};           ///< this theory, with its numbers
@@ -23,7 +23,7 @@ struct RegularWave {
     double encounter_frequency() const { return sum.k * sum.speed; }
     double encounter_period() const;  ///< [s]
     double period_in_water() const;   ///< of one who moves with the mean velocity below the troughs [s]
-    /// p/rho at (x, z, t), of the wave alone [m2/s2]: 0 at the surface.
+    /// p/rho at (x, 0, z, t), of the wave alone [m2/s2]: 0 at the surface.
     double pressure_over_density(double x, double z, double t) const;
 };
 
@@ -34,7 +34,7 @@ struct WaveOrder {
     std::optional<double> period =
         {};                            ///< seen from the scene's axes where the tank is closed, else from the water [s]
     double depth = 0, gravity = 9.81;  ///< [m], [m/s2]
-    double direction = 1;              ///< 1, -1
+    double direction = 1, across = 0;  ///< cosine and sine of the angle to x under which it runs: 1, 0 towards +x
     /// In a closed tank no water is carried along on the whole: a return current cancels the transport of the wave.
     bool closed = true;
     double stream = 0;  ///< of open water, along x [m/s]

@@ -5,11 +5,12 @@
 
 namespace tw {
 
-/// Linear waves on one another, all along x:
+/// Linear waves on one another, all under one angle b to x, of which `direction` is the cosine and `across` the sine:
 ///
-///   eta = sum_n a_n cos(theta_n),   theta_n = k_n direction (x - stream t) - omega_n t + phase_n
-///   u   = current + direction sum_n a_n omega_n cosh(k_n (z + d)) / sinh(k_n d) cos(theta_n)
-///   w   =                     sum_n a_n omega_n sinh(k_n (z + d)) / sinh(k_n d) sin(theta_n)
+///   eta = sum_n a_n cos(theta_n),   theta_n = k_n ((x - stream t) cos b + y sin b) - omega_n t + phase_n
+///   u   = current + cos b sum_n a_n omega_n cosh(k_n (z + d)) / sinh(k_n d) cos(theta_n)
+///   v   =           sin b sum_n a_n omega_n cosh(k_n (z + d)) / sinh(k_n d) cos(theta_n)
+///   w   =                 sum_n a_n omega_n sinh(k_n (z + d)) / sinh(k_n d) sin(theta_n)
 ///
 /// Still water is z = 0; above it velocities are those at z = 0, since the linear ones of the shortest components have
 /// no meaning in the crests of the longest. SI units; plain numbers, so that it can be copied to a device.
@@ -17,7 +18,8 @@ struct WaveComponents {
     static constexpr int lanes = 8, most = 96;
     int count = 0;
     double depth = 0;          ///< [m]
-    double direction = 1;      ///< 1 towards +x, -1 towards -x
+    double direction = 1;      ///< cos b: 1 towards +x, -1 towards -x
+    double across = 0;         ///< sin b: 1 towards +y
     double current = 0;        ///< mean velocity below the troughs, along x [m/s]
     double stream = 0;         ///< that carries them, along x [m/s]
     double k[most] = {};       ///< [1/m]
@@ -26,31 +28,35 @@ struct WaveComponents {
     double phase[most] = {};   ///< [rad]
 };
 
-/// The same at one moment, for many places: Re and Im of a_n omega_n exp(i theta_n(x = 0)) / (1 - exp(-2 k_n d)).
+/// The same at one moment, for many places: Re and Im of a_n omega_n exp(i theta_n(x = y = 0)) / (1 - exp(-2 k_n d)).
 struct WaveMoment {
     int count = 0;  ///< a multiple of `lanes`
-    double depth = 0, direction = 1, current = 0;
+    double depth = 0, direction = 1, across = 0, current = 0;
     double k[WaveComponents::most] = {};
     double c[WaveComponents::most] = {}, s[WaveComponents::most] = {};  ///< [m/s]
     double floor[WaveComponents::most] = {};                            ///< exp(-2 k d)
 };
 
-inline double wave_surface(const WaveComponents& waves, double x, double t) {
+inline double wave_surface(const WaveComponents& waves, double x, double y, double t) {
     double eta = 0;
     for (int n = 0; n < waves.count; ++n) {
         double c, s;
-        wave_circle((waves.k[n] * waves.direction * (x - waves.stream * t) - waves.omega[n] * t + waves.phase[n]) *
+        wave_circle((waves.k[n] * waves.direction * (x - waves.stream * t) + waves.k[n] * waves.across * y -
+                     waves.omega[n] * t + waves.phase[n]) *
                         0.159154943091895335769,
                     c, s);
         eta += waves.height[n] * c;
     }
     return eta;
 }
+/// In the plane y = 0.
+inline double wave_surface(const WaveComponents& waves, double x, double t) { return wave_surface(waves, x, 0, t); }
 
 inline WaveMoment wave_moment(const WaveComponents& waves, double t) {
     WaveMoment now;
     now.depth = waves.depth;
     now.direction = waves.direction;
+    now.across = waves.across;
     now.current = waves.current;
     now.count = (waves.count + WaveComponents::lanes - 1) / WaveComponents::lanes * WaveComponents::lanes;
     for (int n = 0; n < waves.count; ++n) {
@@ -85,12 +91,12 @@ inline double wave_small_exp(double y) {
 }
 // clang-format on
 
-/// u and w at (x, z) [m/s], to 1e-11 of the largest. Components go side by side in lanes, without a branch.
-inline void wave_velocity(const WaveMoment& now, double x, double z, double& u, double& w) {
+/// u, v and w at (x, y, z) [m/s], to 1e-11 of the largest. Components go side by side in lanes, without a branch.
+inline void wave_velocity(const WaveMoment& now, double x, double y, double z, double& u, double& v, double& w) {
     constexpr int lanes = WaveComponents::lanes;
     if (z > 0) z = 0;
     if (z < -now.depth) z = -now.depth;
-    const double turns_per_k = now.direction * x * 0.159154943091895335769;
+    const double turns_per_k = (now.direction * x + now.across * y) * 0.159154943091895335769;
     double along[lanes] = {}, up[lanes] = {};
     for (int from = 0; from < now.count; from += lanes)
         for (int l = 0; l < lanes; ++l) {
@@ -103,16 +109,23 @@ inline void wave_velocity(const WaveMoment& now, double x, double z, double& u, 
             const double S2 = 2 * S1 * C1, C2 = 1 - 2 * S1 * S1;
             const double S = 2 * S2 * C2, C = 1 - 2 * S2 * S2;
             // exp(k z): of a 64th of the exponent, squared six times; below exp(-40) nothing moves
-            const double y = now.k[n] * z * (1.0 / 64) + 0.625,  // its larger of y and -0.625, without a branch:
-                E1 = wave_small_exp(0.5 * (y + __builtin_fabs(y)) - 0.625), E2 = E1 * E1, E4 = E2 * E2, E8 = E4 * E4,
+            const double q = now.k[n] * z * (1.0 / 64) + 0.625,  // its larger of q and -0.625, without a branch:
+                E1 = wave_small_exp(0.5 * (q + __builtin_fabs(q)) - 0.625), E2 = E1 * E1, E4 = E2 * E2, E8 = E4 * E4,
                          E16 = E8 * E8, E32 = E16 * E16, E = E32 * E32;
             const double D = now.floor[n] / E;  // exp(-k (z + 2 d))
             along[l] += (E + D) * (now.c[n] * C - now.s[n] * S);
             up[l] += (E - D) * (now.c[n] * S + now.s[n] * C);
         }
-    u = w = 0;
-    for (int l = 0; l < lanes; ++l) u += along[l], w += up[l];
-    u = now.current + now.direction * u;
+    double whole = 0;
+    w = 0;
+    for (int l = 0; l < lanes; ++l) whole += along[l], w += up[l];
+    u = now.current + now.direction * whole;
+    v = now.across * whole;
+}
+/// In the plane y = 0.
+inline void wave_velocity(const WaveMoment& now, double x, double z, double& u, double& w) {
+    double v;
+    wave_velocity(now, x, 0, z, u, v, w);
 }
 
 }  // namespace tw

@@ -3,10 +3,12 @@
 
 namespace tw {
 
-/// Numbers of a long-crested steady wave that runs along x, and its velocities and surface from them:
+/// Numbers of a long-crested steady wave, and its velocities and surface from them. It runs under an angle b to x, of
+/// which `direction` is the cosine and `across` the sine:
 ///
-///   u = current + direction sum_j U_j (E^j + D^j) cos(j theta),   E = exp(k z), D = exp(-k (z + 2 d))
-///   w =                     sum_j U_j (E^j - D^j) sin(j theta),   theta = k (direction x - speed t) + phase
+///   u = current + cos b sum_j U_j (E^j + D^j) cos(j theta),   E = exp(k z), D = exp(-k (z + 2 d))
+///   v =           sin b sum_j U_j (E^j + D^j) cos(j theta)
+///   w =                 sum_j U_j (E^j - D^j) sin(j theta),   theta = k (x cos b + y sin b - speed t) + phase
 ///   eta = sum_j eta_j cos(j theta)
 ///
 /// With U_j = j B_j sqrt(g/k) / (1 + exp(-2 j k d)) that is the stream function of stream_function.h, in which no term
@@ -15,7 +17,8 @@ struct WaveSum {
     static constexpr int most = 96;
     int terms = 0;
     double k = 0, depth = 0;  ///< [1/m], [m]
-    double direction = 1;     ///< 1 towards +x, -1 towards -x
+    double direction = 1;     ///< cos b: 1 towards +x, -1 towards -x
+    double across = 0;        ///< sin b: 1 towards +y
     double speed = 0;         ///< of the crests, along the direction, seen from the scene's axes [m/s]
     double phase = 0;         ///< [rad]: a crest is at x = 0, t = 0 where it is 0
     double current = 0;       ///< mean velocity below the troughs, along x [m/s]
@@ -53,14 +56,16 @@ inline void wave_circle(double turns, double& c, double& s) {
     }
 }
 
-inline void wave_angle(const WaveSum& wave, double x, double t, double& c, double& s) {
-    wave_circle((wave.k * (wave.direction * x - wave.speed * t) + wave.phase) * 0.159154943091895335769, c, s);
+inline void wave_angle(const WaveSum& wave, double x, double y, double t, double& c, double& s) {
+    wave_circle(
+        (wave.k * (wave.direction * x + wave.across * y - wave.speed * t) + wave.phase) * 0.159154943091895335769, c,
+        s);
 }
 
-/// eta at (x, t) [m].
-inline double wave_surface(const WaveSum& wave, double x, double t) {
+/// eta at (x, y, t) [m].
+inline double wave_surface(const WaveSum& wave, double x, double y, double t) {
     double c1, s1, c = 1, s = 0, eta = 0;
-    wave_angle(wave, x, t, c1, s1);
+    wave_angle(wave, x, y, t, c1, s1);
     for (int j = 0; j < wave.terms; ++j) {
         const double next = c * c1 - s * s1;
         s = s * c1 + c * s1;
@@ -70,13 +75,14 @@ inline double wave_surface(const WaveSum& wave, double x, double t) {
     return eta;
 }
 
-/// u and w at (x, z, t) [m/s].
-inline void wave_velocity(const WaveSum& wave, double x, double z, double t, double& u, double& w) {
+/// u, v and w at (x, y, z, t) [m/s].
+inline void wave_velocity(const WaveSum& wave, double x, double y, double z, double t, double& u, double& v,
+                          double& w) {
     if (z > wave.crest) z = wave.crest;
     if (z < -wave.depth) z = -wave.depth;
     const double E1 = wave_exp(wave.k * z), deep = wave.k * (z + 2 * wave.depth), D1 = deep < 40 ? wave_exp(-deep) : 0;
     double c1, s1, c = 1, s = 0, E = 1, D = 1, along = 0;
-    wave_angle(wave, x, t, c1, s1);
+    wave_angle(wave, x, y, t, c1, s1);
     w = 0;
     for (int j = 0; j < wave.terms; ++j) {
         const double next = c * c1 - s * s1;
@@ -88,6 +94,14 @@ inline void wave_velocity(const WaveSum& wave, double x, double z, double t, dou
         w += wave.U[j] * (E - D) * s;
     }
     u = wave.current + wave.direction * along;
+    v = wave.across * along;
+}
+
+/// In the plane y = 0.
+inline double wave_surface(const WaveSum& wave, double x, double t) { return wave_surface(wave, x, 0, t); }
+inline void wave_velocity(const WaveSum& wave, double x, double z, double t, double& u, double& w) {
+    double v;
+    wave_velocity(wave, x, 0, z, t, u, v, w);
 }
 
 }  // namespace tw

@@ -14,6 +14,8 @@ GaugeSides gauge_sides(const Comparison& comparison) {
     std::map<std::string, double> gauges;         // how far along the wave's way [m]
     double first = HUGE_VAL, last = -HUGE_VAL;    // of the obstacles that count, likewise
     GaugeSides sides{gauges_of(comparison), {}};  // an imported measurement knows no places
+    for (const RunRecord& r : comparison.sources)
+        if (number_of(r, "wave_across", 0) != 0) return sides;  // an oblique wave passes obstacles at their sides
     for (const RunRecord& r : comparison.sources) {
         const double way = number_of(r, "wave_direction", 1);
         for (const std::string& gauge : sides.before)

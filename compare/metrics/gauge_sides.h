@@ -9,7 +9,8 @@ namespace tw {
 /// The height gauges of all records before and behind the obstacles that stand between them, by the way that the wave runs
 /// (numbers height_x_GAUGE, obstacle_x_min_NAME, obstacle_x_max_NAME, wave_direction). An obstacle counts that has gauges
 /// on both of its sides; of several, what lies between the first and the last of them is neither before nor behind. Where
-/// none does, as where a slope ends the tank, all gauges are before and none behind.
+/// none does, as where a slope ends the tank, and in oblique waves (number wave_across), all gauges are before and none
+/// behind.
 struct GaugeSides {
     std::set<std::string> before, behind;
 };

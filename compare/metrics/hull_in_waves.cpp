@@ -18,23 +18,23 @@ using std::numbers::pi;
 /// What one record holds of its free hull; the places are those at the start, the hull does not surge.
 struct HullTable {
     const Table* table = nullptr;
-    double centre_x = 0;  ///< of mass [m]
+    Vec3 centre = Vec3::Zero();  ///< of mass [m]
 };
 std::optional<HullTable> hull_of(const RunRecord& r) {
     const auto table = r.tables.find(hull_motion_table);
     const auto shape = std::ranges::find(r.bodies, std::string(hull_motion_table), &BodyShape::table);
     if (table == r.tables.end() || shape == r.bodies.end()) return {};
-    return HullTable{&table->second, shape->centre.x()};
+    return HullTable{&table->second, shape->centre};
 }
 
 /// Lead of a column's first harmonic over the theory's crest at the centre of mass [deg].
 MeanValue phase_of(const RunRecord& r, const HullTable& hull, const char* column, const WavePeriods& periods) {
     const Column* c = hull.table->find(column);
-    const double k = 2 * pi / number_of(r, "wave_length", NAN) * number_of(r, "wave_direction", 1);
+    const double k = 2 * pi / number_of(r, "wave_length", NAN);
     if (!c || !std::isfinite(k)) return unknown_value(not_given);
     const PeriodHarmonics found =
         harmonics_of_periods(hull.table->time, periods, [&](std::size_t i) { return c->values[i]; });
-    return mean_lead(found, k * hull.centre_x, periods);
+    return mean_lead(found, k * along_wave(r, hull.centre.x(), hull.centre.y()), periods);
 }
 
 }  // namespace

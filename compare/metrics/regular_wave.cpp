@@ -119,6 +119,10 @@ Reflection reflection_in(const RunRecord& r, const std::set<std::string>& gauges
 
 }  // namespace
 
+double along_wave(const RunRecord& r, double x, double y) {
+    return number_of(r, "wave_direction", 1) * x + number_of(r, "wave_across", 0) * y;
+}
+
 GaugeHarmonics harmonics_at(const RunRecord& r, const std::set<std::string>& gauges, double from, double to,
                             double omega, std::size_t fewest) {
     GaugeHarmonics h;
@@ -126,7 +130,7 @@ GaugeHarmonics harmonics_at(const RunRecord& r, const std::set<std::string>& gau
         const WaveSamples s = samples_of(r, gauge, from, to);
         const double at = number_of(r, "height_x_" + gauge, NAN);
         if (s.t.size() < fewest || !std::isfinite(at)) continue;
-        h.x.push_back(number_of(r, "wave_direction", 1) * at);
+        h.x.push_back(along_wave(r, at, number_of(r, "height_y_" + gauge, 0)));
         h.amplitude.push_back(first_harmonic(s.t, s.x, omega));
     }
     return h;

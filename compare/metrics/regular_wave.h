@@ -31,9 +31,10 @@ namespace tw {
 ///                        there is none
 ///   wave_transmission    |a_i| behind an obstacle over |a_i| before it (gauge_sides.h), each by split_waves, mean over the
 ///                        periods [%]; of a single gauge behind it the amplitude of all that is there
-///   wave_force_x, wave_force_z   of what stands fixed, a hull that is held too, without bodies: amplitude of the first harmonic [N]
-///   wave_force_phase_x, _z       by how much it is before the theory's crest at x = 0 [deg]
-///   wave_drift_x                 mean force along x [N]
+///   wave_force_x, wave_force_z   of what stands fixed, a hull that is held too, without bodies: amplitude of the first
+///                        harmonic; in oblique waves wave_force_y too [N]
+///   wave_force_phase_x, _y, _z   by how much it is before the theory's crest at x = y = 0 [deg]
+///   wave_drift_x, _y             mean force along x, and y [N]
 ///   wave_force_over_wave_x, _z   of a single obstacle whose empty twin the records were given: that amplitude over the one
 ///                        of the wave at its place in that twin, of the same period [N/m]; wave_force_lead_x, _z: the phase
 ///                        before that wave's crest [deg]; wave_without:OBSTACLE
@@ -52,6 +53,9 @@ void add_wave_transmission(Comparison& comparison, const GaugeSides& sides, cons
 ///   added_resistance [N]; of a free hull added_trim [deg], added_rise [m]
 void add_added_by_waves(Comparison& comparison, const CompareOptions& options);
 
+/// How far a place lies along the way of a record's wave (its numbers wave_direction and, of an oblique one,
+/// wave_across, cosine and sine of its angle to x) [m].
+double along_wave(const RunRecord& record, double x, double y);
 /// First harmonics of gauges of a record over a time [s], by places along the wave's way [m]; those with fewer samples than
 /// `fewest`, or without a place, are left out.
 struct GaugeHarmonics {

@@ -128,6 +128,9 @@ void add_cylinder(Comparison& comparison) {
 
 void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
     std::string unit;
+    std::vector<std::string> axes = {"x", "z"};
+    for (const RunRecord& r : comparison.sources)
+        if (number_of(r, "wave_across", 0) != 0) axes = {"x", "y", "z"};
     for (const RunRecord& r : comparison.sources)
         for (const auto& [name, table] : r.tables) {
             if (name.starts_with("body_")) return;  // what moves has responses
@@ -136,13 +139,15 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
     if (unit.empty()) return;
     double largest = 0;
     std::vector<Quantity> found;
-    for (const std::string axis : {"x", "z"}) {
-        const std::string way = axis == "x" ? "along x" : "upward",
+    for (const std::string& axis : axes) {
+        const std::string way = axis == "z" ? "upward" : "along " + axis,
                           over = fmt::format("first harmonic of the force on all solids {}, mean over {} whole periods",
                                              way, periods.count);
         Quantity amplitude = new_quantity("wave_force_" + axis, "Wave force " + way, unit, "amplitude of the " + over),
                  phase = new_quantity("wave_force_phase_" + axis, "Phase of the wave force " + way, "deg",
-                                      "lead over the theory's crest at x = 0; " + over),
+                                      (axes.size() == 2 ? "lead over the theory's crest at x = 0; "
+                                                        : "lead over the theory's crest at x = y = 0; ") +
+                                          over),
                  mean = new_quantity("wave_drift_" + axis, "Mean wave force " + way, unit, "mean over whole periods");
         for (const RunRecord& r : comparison.sources) {
             Force force{unknown_value(not_given), unknown_value(not_given), unknown_value(not_given)};
@@ -155,13 +160,13 @@ void add_wave_forces(Comparison& comparison, const WavePeriods& periods) {
         phase.scale = 180;
         found.push_back(std::move(amplitude));
         found.push_back(std::move(phase));
-        if (axis == "x") found.push_back(std::move(mean));  // upward it holds the buoyancy
+        if (axis != "z") found.push_back(std::move(mean));  // upward it holds the buoyancy
     }
     if (largest == 0) return;  // nothing stands there
     for (Quantity& q : found) {
         beside(q);
         q.judged_in_grid_study = true;
-        if (q.name == "wave_drift_x") q.scale = largest;
+        if (q.name.starts_with("wave_drift_")) q.scale = largest;
         comparison.quantities.push_back(std::move(q));
     }
     add_forces_over_wave(comparison, unit, periods);

@@ -80,15 +80,23 @@ void add_force_peaks(Comparison& comparison, const PeakTime& time) {
     for (const RunRecord& r : comparison.sources)
         for (const auto& [name, table] : r.tables)
             if (name.starts_with("body_")) return;  // what moves has accelerations
-    for (const char axis : {'x', 'z'}) {
+    const bool oblique =
+        std::ranges::any_of(comparison.sources, [](const RunRecord& r) { return number_of(r, "wave_across", 0) != 0; });
+    for (const char axis : {'x', 'y', 'z'}) {
+        if (axis == 'y' && !oblique) continue;
         const std::string column = fmt::format("f{}", axis);
         PeakedThing thing{.name = fmt::format("force_{}", axis),
-                          .label = axis == 'x' ? "Force along the waves' way, peaks" : "Force upward, peaks",
+                          .label = axis == 'z' ? "Force upward, peaks"
+                                   : oblique   ? fmt::format("Force along {}, on the waves' way, peaks", axis)
+                                               : "Force along the waves' way, peaks",
                           .unit = {},
                           .definition = {}};
         double largest = 0;
         for (const RunRecord& r : comparison.sources) {
-            const double sign = axis == 'x' ? number_of(r, "wave_direction", 1) : 1;
+            const double way = axis == 'x'   ? number_of(r, "wave_direction", 1)
+                               : axis == 'y' ? number_of(r, "wave_across", 1)
+                                             : 1,
+                         sign = way < 0 ? -1 : 1;
             const Table* loads = loads_of(r);
             thing.histories.push_back(loads ? history_of(r, loads->name, column, sign, true, time.periods)
                                             : PeakHistory{});

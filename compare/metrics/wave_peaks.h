@@ -6,7 +6,8 @@ namespace tw {
 /// Of records with a wave, regular or irregular: the highest value in each of the last whole periods that all records
 /// cover, from mean_from on (periods of encounter; of a sea its peak periods, where of two peaks nearer to each other
 /// than a quarter of a period the higher counts), of
-///   force_x, force_z          what stands fixed or is towed: along the wave's way and upward, mean over 5 ms [N]
+///   force_x, force_z          what stands fixed or is towed: along the wave's way and upward, mean over 5 ms; in oblique
+///                             waves force_y too, each positive on the wave's way [N]
 ///   pressure:PROBE            mean over its filter [Pa]
 ///   height:GAUGE              in a sea, and where the scene gives the gauge a deck [m]
 ///   acceleration_centre:NAME  upward, of the hull and of free bodies at their centre of mass, over a fortieth of the

@@ -6,6 +6,8 @@
 namespace tw {
 namespace {
 
+bool is_oblique(const ZoneSource& source) { return source.wave && source.wave->across != 0; }
+
 /// Its zones know water at rest: they take frequencies as they are met, and heights that make with them the velocities
 /// that the waves have in their water.
 Dictionary numbers_of(const WaveComponents& sea) {
@@ -36,7 +38,9 @@ void add_zones(const ZoneSource& source, Dictionary& sources) {
         of_share[zone.share].push_back(d);
     }
     for (const auto& [share, zones] : of_share) {
-        Dictionary all{{"type", Word(source.sea ? "forcingZonesOfASea" : "forcingZones")},
+        Dictionary all{{"type", Word(source.sea           ? "forcingZonesOfASea"
+                                     : is_oblique(source) ? "forcingZonesOblique"
+                                                          : "forcingZones")},
                        {"velocity", Vec3(share * source.velocity)},
                        {"zones", zones}};
         if (source.wave) all.add("wave", numbers_of(*source.wave));

@@ -20,6 +20,8 @@
 // or to a sum of linear ones (waves/wave_components.h):
 //
 //         sea { depth 1; direction 1; current 0; k (6.28 ...); omega (7.8 ...); amplitude (0.002 ...); phase (0.3 ...); }
+//
+// A steady wave under an angle to x has `across`, its sine, beside `direction`, its cosine.
 
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
@@ -102,12 +104,12 @@ class forcingZones : public Source {
 
     vector target(const point& place, bool makesWave, const tw::WaveMoment& now) const {
         if (!makesWave) return velocity_;
-        double u, w;
+        double u, v, w;
         if (isSea_)
-            tw::wave_velocity(now, place.x(), place.z(), u, w);
+            tw::wave_velocity(now, place.x(), place.y(), place.z(), u, v, w);
         else
-            tw::wave_velocity(wave_, place.x(), place.z(), mesh().time().value(), u, w);
-        return vector(u, 0, w);
+            tw::wave_velocity(wave_, place.x(), place.y(), place.z(), mesh().time().value(), u, v, w);
+        return vector(u, v, w);
     }
 
     /// eqn is the right-hand side of the momentum equation: its diagonal takes -a u, its source -a u_ref.
@@ -168,9 +170,10 @@ public:
 
 defineTypeNameAndDebug(forcingZones, 0);
 addToRunTimeSelectionTable(Source, forcingZones, dictionary);
-// The type that a case names where it gives a sum of waves: a library built before these existed knows no such type, and
-// OpenFOAM stops there in place of drawing the making zone to rest.
+// The types that a case names where it gives a sum of waves, or waves under an angle: a library built before these
+// existed knows no such type, and OpenFOAM stops there in place of drawing the making zone to rest or to head waves.
 addNamedToRunTimeSelectionTable(Source, forcingZones, dictionary, forcingZonesOfASea);
+addNamedToRunTimeSelectionTable(Source, forcingZones, dictionary, forcingZonesOblique);
 
 }  // namespace fv
 }  // namespace Foam

@@ -9,6 +9,7 @@
 
 #include "scene/box/box_walls.h"
 #include "scene/box/inlet_wave.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/refined_places.h"
 #include "scene/water/tailwater.h"
@@ -98,7 +99,7 @@ std::string why_in_stream(const Scene& scene, double wave) {
                         scene.hull ? fmt::format("{:g} hull lengths", longest_of_hull) : "half the channel's length");
     if (const double least = shortest_wave(scene); wave < least)
         why += fmt::format("; they are made for {:.3g} m, {:g} of the largest spacings", least, fewest_spacings);
-    if (scene.has_wave() && scene.hull && scene.domain.dimensions == 3)
+    if (scene.has_wave() && !runs_obliquely(scene) && scene.hull && scene.domain.dimensions == 3)
         why += "; the sides are walls: zones there would take the wave";
     else if (scene.hull && scene.domain.dimensions == 3 && scene.zones.sides == "walls")
         why += "; the sides are walls, as [domain] sides says";
@@ -181,7 +182,10 @@ ForcingZones zones_of_stream(const Scene& scene) {
                                   .gamma = leaves ? gamma(behind.speed) : plan.frequency,
                                   .share = leaves ? behind.share : 1});
         }
-    if (scene.has_wave()) take_wave(scene, plan);
+    if (runs_obliquely(scene))
+        take_oblique_wave(scene, plan);
+    else if (scene.has_wave())
+        take_wave(scene, plan);
     return plan;
 }
 
@@ -295,7 +299,10 @@ bool has_zones_by_default(const Scene& scene, double gravity) {
 ZoneReach zone_reach(const Scene& scene, double gravity) {
     ZoneReach reach;
     if (!scene.has_wave() || waves_stand(scene, gravity)) reach = reach_of_stream(scene, gravity);
-    if (scene.has_wave()) {
+    if (runs_obliquely(scene)) {
+        const double width = in_whole_sizes(scene, lengths_of_oblique_zones * scene.wave->length);
+        for (double* side : {&reach.ahead, &reach.behind, &reach.side}) *side = std::max(*side, width);
+    } else if (scene.has_wave()) {
         const WaveScales wave = wave_scales(scene);
         double &makes = wave.comes_from_low_x ? reach.ahead : reach.behind,
                &absorbs = wave.comes_from_low_x ? reach.behind : reach.ahead;

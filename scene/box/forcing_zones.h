@@ -51,7 +51,8 @@ struct ForcingZones {
 /// following wave where the stream is faster than its energy (tank_wave.h), else the one behind. The other absorbs it.
 /// They are as wide at least as in a tank and as the stream itself asks for. The one that makes it has 1.5 times the
 /// strength of one that absorbs it over one wave length, at the frequency of encounter, the other what its width needs.
-/// A hull's sides are walls, because zones would take the wave away beside it.
+/// A hull's sides are walls, because zones would take the wave away beside it. Of an oblique wave there are zones at all
+/// four sides, which all make it (oblique_wave.h).
 ForcingZones forcing_zones(const Scene& scene);
 
 /// Length of the wave that stands in a stream, U^2 = g/k tanh(k h) [m]; nothing from the critical speed U^2 = g h on.

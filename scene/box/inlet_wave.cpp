@@ -3,7 +3,7 @@
 namespace tw {
 
 bool may_enter_with_stream(const Scene& scene) {
-    return scene.motion.kind == Motion::Kind::stream && scene.wave && scene.wave->sum.direction > 0 &&
+    return scene.motion.kind == Motion::Kind::stream && scene.wave && scene.wave->sum.direction == 1 &&
            scene.motion.speed >= scene.wave->speed_in_water;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "scene/box/forcing_zones.h"
+#include "scene/box/oblique_wave.h"
 #include "waves/dispersion.h"
 
 namespace tw {
@@ -43,6 +44,12 @@ WaveScales wave_scales(const Scene& scene) {
         w.slowest = group_speed(wave);
         w.comes_from_low_x = wave.sum.direction * w.slowest > 0;
         w.measured = 7 * w.period;
+        if (runs_obliquely(scene)) {
+            const Eigen::Vector2d energy = energy_velocity(scene);
+            w.slowest = energy.norm();
+            w.comes_from_low_x = energy.x() > 0;
+            return w;
+        }
         if (scene.motion.kind != Motion::Kind::stream || w.direction > 0) return w;
         const double in_water = group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water;
         w.slowest = std::abs(w.slowest);
@@ -158,7 +165,7 @@ double loss_by_artificial_viscosity(const Scene& scene, double distance) {
     double k, group;
     if (scene.wave) {
         k = scene.wave->k();
-        group = std::abs(group_speed(*scene.wave));
+        group = runs_obliquely(scene) ? energy_velocity(scene).norm() : std::abs(group_speed(*scene.wave));
     } else {
         k = 2 * std::numbers::pi / scene.sea->length_at_peak();
         group = group_speed(*scene.sea, k, 2 * std::numbers::pi / scene.sea->peak_period);

@@ -6,7 +6,7 @@ namespace tw {
 /// What a scene's wave asks of tank or stream, zones, sizes and times. Of a sum of waves the peak is what a regular one is as a
 /// whole; waves below and above which 5 % of the energy lie are the longest and the shortest that count.
 struct WaveScales {
-    double direction = 1;                      ///< in the water; 1: towards +x, -1: towards -x [-]
+    double direction = 1;                      ///< in the water, its cosine; 1: towards +x, -1: towards -x [-]
     double height = 0;                         ///< significant height of a sum, twice the crest of a focused wave [m]
     double crest = 0;                          ///< as high as the surface comes, in a sum about [m]
     double length = 0, period = 0, speed = 0;  ///< [m], [s], [m/s]

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/box/box_walls.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/effects/part.h"
 #include "scene/refined_places.h"
 #include "scene/water/tailwater.h"
@@ -14,6 +15,7 @@ namespace {
 
 std::string reason_of(const EffectQuestion& q, bool by_default) {
     const Scene& scene = q.scene;
+    if (runs_obliquely(scene)) return "the wave is made and absorbed in zones at all four sides";
     if (scene.has_wave())
         return by_default ? "the wave is made in a zone at one end and absorbed in one at the other"
                           : "the stream is faster than the wave, which enters with it; nothing runs upstream";

@@ -83,7 +83,7 @@ Rows wave_keys() {
                     "that meet what drifts with it.", .later = true},
         {.name = "direction", .unit = "rad", .range = {-std::numbers::pi, std::numbers::pi}, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::direction), .fallback = "0 deg",
-         .meaning = "Where the wave runs: 0 towards +x, \"180 deg\" towards -x; in a stream 0 are head waves and \"180 deg\" following ones.", .later = true},
+         .meaning = "Where the wave runs: 0 towards +x, \"90 deg\" towards +y, \"180 deg\" towards -x; in a stream 0 are head waves and \"180 deg\" following ones. Others, oblique ones, need a stream in three dimensions and a whole hull.", .later = true},
         {.name = "theory", .kind = Kind::choice, .choices = {"auto", "linear", "stream_function"},
          .hashed = Hashed::scene, .slot = slot(&Scene::wave_asked, &WaveOptions::theory),
          .meaning = "Velocities and surface of the wave: linear where that changes neither crest nor speed by more than "

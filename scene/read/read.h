@@ -27,6 +27,9 @@ std::optional<double> read_motion(SceneSection& s, Scene& scene, bool has_hull);
 
 /// Works out scene.wave or scene.sea from what is asked for, once the tank and its water are known.
 void settle_wave(Scene& scene, Sections& s);
+/// What an oblique wave needs around it, and of its stream (scene/box/oblique_wave.h). Throw InputError.
+void refuse_oblique_surroundings(const Scene& scene, Sections& s, double degrees);
+void check_oblique_wave(const Scene& scene, Sections& s, const std::string& size);
 /// Checks of the wave that need sizes and effects. Throws InputError.
 void check_wave(const Scene& scene, Sections& s);
 

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/box/inlet_wave.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/defaults.h"
 #include "scene/read/read.h"
@@ -36,6 +37,19 @@ constexpr double fastest_stream_with_wave = 1.5;
 
 bool in_stream(const Scene& scene) { return scene.motion.kind == Motion::Kind::stream; }
 
+/// Cosine and sine of the wave's direction, exact along the axes.
+struct AskedWay {
+    double along = 1, across = 0;
+};
+AskedWay asked_way(const Scene& scene) {
+    const double angle = scene.wave_asked.direction;
+    const auto exact = [](double x) {
+        return std::abs(x) < 1e-6 ? 0.0 : std::abs(x) > 1 - 1e-12 ? std::copysign(1, x) : x;
+    };
+    return {exact(std::cos(angle)), exact(std::sin(angle))};
+}
+bool is_oblique(const AskedWay& way) { return way.across != 0; }
+
 /// What this version does not make waves in, of streams.
 void refuse_streams(const Scene& scene, Sections& s) {
     if (!scene.bodies.empty())
@@ -44,7 +58,7 @@ void refuse_streams(const Scene& scene, Sections& s) {
                          "pitch, obstacles, or a tank");
     if (s.domain.has("downstream"))
         s.domain.fail("downstream", "a wave runs in water of one depth; remove this key, or [wave]");
-    if (s.domain.has("sides") && scene.zones.sides == "open")
+    if (s.domain.has("sides") && scene.zones.sides == "open" && !is_oblique(asked_way(scene)))
         s.domain.fail("sides",
                       "with [wave] the sides are walls, because zones there would take the wave away beside "
                       "the hull; remove this key, or write \"walls\"");
@@ -53,6 +67,8 @@ void refuse_streams(const Scene& scene, Sections& s) {
 /// What this version does not make waves in.
 void refuse_surroundings(const Scene& scene, Sections& s) {
     const SceneSection& wave = s.wave;
+    if (is_oblique(asked_way(scene)))
+        refuse_oblique_surroundings(scene, s, scene.wave_asked.direction * 180 / std::numbers::pi);
     if (in_stream(scene))
         refuse_streams(scene, s);
     else if (!s.tank.present())
@@ -71,19 +87,6 @@ void refuse_surroundings(const Scene& scene, Sections& s) {
         s.tank.fail("wave_length", "with [wave] the zones are as wide as its length; remove this key");
     if (!(scene.water.gravity > 0) || !s.effects.on_off("gravity").value_or(true))
         wave.fail("height", "without gravity there are no waves; expected gravity on");
-}
-
-double direction_of(const Scene& scene, const SceneSection& wave) {
-    const double angle = scene.wave_asked.direction, along = std::cos(angle);
-    if (std::abs(std::sin(angle)) > 1e-6)
-        wave.fail(
-            "direction",
-            fmt::format("{:.4g} degrees: oblique waves are not made, since the sides are walls to them; expected 0 "
-                        "(towards +x{}) or \"180 deg\" (towards -x{}): run the hull in "
-                        "both, or turn a body in a tank by its mesh",
-                        angle * 180 / std::numbers::pi, in_stream(scene) ? ", a head wave" : "",
-                        in_stream(scene) ? ", a following wave" : ""));
-    return along > 0 ? 1 : -1;
 }
 
 /// Keys that the other kinds of waves have: a value that is not used misleads.
@@ -216,10 +219,15 @@ void check_stream(const Scene& scene, Sections& s, const std::string& size) {
     const double U = scene.motion.speed;
     if (!enters_with_stream(scene, s)) check_fastest(scene, s, size, wave.length, wave.speed_in_water);
     const bool follows = wave.sum.direction < 0;
-    double u, w;  // where it is slowest along x: under a trough, of a following wave under a crest
-    wave_velocity(wave.sum, follows ? 0 : std::numbers::pi / wave.k(), follows ? wave.crest : wave.trough, 0, u, w);
+    double u, v, w;  // where it is slowest along x: under a trough, of a following wave under a crest
+    const double half = follows ? 0 : std::numbers::pi / wave.k();
+    wave_velocity(wave.sum, wave.sum.direction * half, wave.sum.across * half, follows ? wave.crest : wave.trough, 0, u,
+                  v, w);
     check_ends(scene, s, "height", U - u);
-    if (follows) check_following(scene, s, size);
+    if (runs_obliquely(scene))
+        check_oblique_wave(scene, s, size);
+    else if (follows)
+        check_following(scene, s, size);
     check_height_of_box(scene, s, wave.crest);
 }
 
@@ -345,7 +353,7 @@ void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave) {
 void settle_sea(Scene& scene, Sections& s) {
     const SceneSection& wave = s.wave;
     SeaOrder order{.depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
-    order.direction = direction_of(scene, wave);
+    order.direction = asked_way(scene).along;
     if (in_stream(scene)) order.stream = scene.motion.speed;
     const bool two = scene.wave_asked.spectrum == "bichromatic";
     (two ? order_two : order_spectrum)(order, scene.wave_asked, wave);
@@ -383,7 +391,8 @@ void settle_wave(Scene& scene, Sections& s) {
     refuse_surroundings(scene, s);
     const std::string size = wave.has("length") ? "length" : "period";
     WaveOrder order{.height = asked.height, .depth = -scene.domain.as_asked.min.z(), .gravity = scene.water.gravity};
-    order.direction = direction_of(scene, wave);
+    order.direction = asked_way(scene).along;
+    order.across = asked_way(scene).across;
     order.closed = !in_stream(scene);
     order.stream = scene.motion.speed;
     if (asked.length > 0) order.length = asked.length;
@@ -475,12 +484,13 @@ void check_wave(const Scene& scene, Sections& s) {
     for (const Obstacle& o : scene.obstacles) solids.emplace_back("obstacle " + o.name, o.surface.bounds());
     for (const ForcingZone& zone : forcing_zones(scene).zones)
         for (const auto& [name, at] : solids) {
-            if (zone.high ? at.max.x() > zone.begin : at.min.x() < zone.begin)
+            if (zone.high ? at.max[zone.axis] > zone.begin : at.min[zone.axis] < zone.begin)
                 s.wave.fail(
                     of_length,
-                    fmt::format("{} stands in the zone that ends at x = {:.4g} m, which makes or absorbs the wave; "
-                                "expected a longer tank, or the solid nearer to its middle",
-                                name, zone.begin));
+                    fmt::format("{} stands in the zone that ends at {} = {:.4g} m, which makes or absorbs the wave; "
+                                "expected a {} {}, or the solid nearer to its middle",
+                                name, "xy"[zone.axis], zone.begin, zone.axis == 0 ? "longer" : "wider",
+                                in_stream(scene) ? "box" : "tank"));
         }
 }
 

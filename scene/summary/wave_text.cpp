@@ -10,6 +10,7 @@
 #include "methods/names.h"
 #include "scene/box/forcing_zones.h"
 #include "scene/box/inlet_wave.h"
+#include "scene/box/oblique_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/wave_twin.h"
 #include "waves/dispersion.h"
@@ -24,8 +25,37 @@ bool particles_run(const Scene& scene) {
 
 double between_zones(const Scene& scene) {
     double between = scene.domain.box.size().x();
-    for (const ForcingZone& zone : forcing_zones(scene).zones) between -= std::abs(zone.end - zone.begin);
+    for (const ForcingZone& zone : forcing_zones(scene).zones)
+        if (zone.axis == 0) between -= std::abs(zone.end - zone.begin);
     return between;
+}
+
+/// Where it runs, as a direction of the scene says it.
+std::string towards(const RegularWave& w) {
+    return w.sum.across == 0 ? fmt::format("{}x", w.sum.direction > 0 ? "+" : "-")
+                             : fmt::format("{:.4g} degrees from +x to +y",
+                                           std::atan2(w.sum.across, w.sum.direction) * 180 / std::numbers::pi);
+}
+
+/// From where an oblique wave comes to a hull that runs towards -x: low y is to its port side.
+std::string comes_from(const RegularWave& w) {
+    const std::string side = w.sum.across > 0 ? "port" : "starboard";
+    const double along = w.sum.direction, beam = std::sin(10 * std::numbers::pi / 180);
+    if (std::abs(along) < beam) return "a beam wave from " + side;
+    return fmt::format("from the {} {}", side, along > 0 ? "bow" : "quarter");
+}
+
+/// Of an oblique wave: how it is met, and where its energy comes from.
+std::string oblique_text(const Scene& scene) {
+    const RegularWave& w = *scene.wave;
+    const Eigen::Vector2d energy = energy_velocity(scene);
+    return fmt::format(
+        "{:.4g} m/s in the water, {}: {:.4g} s in the water, met every {:.4g} s (U omega_e/g {:.3g}); its energy runs "
+        "at "
+        "({:.4g}, {:.4g}) m/s past the hull, and fills the box from {} and {} in {:.4g} s",
+        w.speed_in_water, comes_from(w), w.period_in_water(), w.encounter_period(),
+        scene.motion.speed * w.encounter_frequency() / w.gravity, energy.x(), energy.y(),
+        energy.x() < 0 ? "behind" : "ahead", energy.y() > 0 ? "low y" : "high y", time_to_fill(scene));
 }
 
 /// How fast it runs, and what current it has.
@@ -36,6 +66,7 @@ std::string speed_text(const Scene& scene) {
             "{:.4g} m/s over still water; mean current below the troughs {:.3g} m/s, so that the tank has no net "
             "transport",
             w.speed_in_water, w.sum.current);
+    if (runs_obliquely(scene)) return oblique_text(scene);
     const bool follows = w.sum.direction < 0;
     const WaveScales scales = wave_scales(scene);
     return fmt::format(
@@ -63,11 +94,11 @@ std::string regular_wave_text(const Scene& scene) {
     const auto enters = inlet_wave(scene);
     const char* where = enters ? "in the box" : "between the zones";
     std::string out = fmt::format(
-        "wave        {:.4g} m high, {:.4g} m long, period {:.4g} s, towards {}x; crest {:.4g} m, trough {:.4g} m\n"
+        "wave        {:.4g} m high, {:.4g} m long, period {:.4g} s, towards {}; crest {:.4g} m, trough {:.4g} m\n"
         "  theory    {}: {}\n"
         "  regime    {}; H/L {:.3g}, k d {:.3g} ({} water), Ursell {:.3g}, {:.2g} % of the highest wave\n"
         "  speed     {}\n",
-        w.height, w.length, w.encounter_period(), w.sum.direction > 0 ? "+" : "-", w.crest, w.trough,
+        w.height, w.length, w.encounter_period(), towards(w), w.crest, w.trough,
         linear ? "linear" : fmt::format("stream function, {} terms", w.sum.terms), w.why,
         wave_regime(w.height, w.length, w.depth), w.height / w.length, w.k() * w.depth, depth_regime(w.length, w.depth),
         ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth),

@@ -65,24 +65,25 @@ struct ForceTowards {
         bool to_wave = false;
         for (int k = 0; k < count; ++k) {
             const ForceInZones::Zone& z = zones[k];
-            const double s = std::min((p.x[i] - z.begin) * z.per_length, 1.0), here = z.gamma * s * s;
+            const double at = z.axis == 0 ? p.x[i] : p.y[i], s = std::min((at - z.begin) * z.per_length, 1.0),
+                         here = z.gamma * s * s;
             if (s > 0 && here > by) by = here, to_wave = makes_wave[k];
         }
         if (by == 0) return;
-        double u = stream, w = 0;
-        if (to_wave) velocity(wave, p.x[i], p.z[i], u, w);
+        double u = stream, v = 0, w = 0;
+        if (to_wave) velocity(wave, i, u, v, w);
         PackedRate& r = rate[i];
         r.ax -= static_cast<float>(by * (static_cast<double>(p.u[i]) - u));
-        r.ay -= static_cast<float>(by * static_cast<double>(p.v[i]));
+        r.ay -= static_cast<float>(by * (static_cast<double>(p.v[i]) - v));
         r.az -= static_cast<float>(by * (static_cast<double>(p.w[i]) - w));
     }
 
 private:
-    void velocity(const WaveSum& of, double x, double z, double& u, double& w) const {
-        wave_velocity(of, x, z, time, u, w);
+    void velocity(const WaveSum& of, std::size_t i, double& u, double& v, double& w) const {
+        wave_velocity(of, p.x[i], p.y[i], p.z[i], time, u, v, w);
     }
-    void velocity(const WaveMoment& of, double x, double z, double& u, double& w) const {
-        wave_velocity(of, x, z, u, w);
+    void velocity(const WaveMoment& of, std::size_t i, double& u, double& v, double& w) const {
+        wave_velocity(of, p.x[i], p.y[i], p.z[i], u, v, w);
     }
 };
 struct ForceTowardsWave : ForceTowards<WaveSum> {};

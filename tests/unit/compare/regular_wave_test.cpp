@@ -362,6 +362,57 @@ TEST(RegularWaveMeasure, GivesForceAndDriftOfWhatStandsFixed) {
     EXPECT_FALSE(c.find("wave_drift_z")) << "it would hold the buoyancy";
 }
 
+/// Waves of 1 m and 0.8 s in a stream that run towards 60 degrees from +x to +y, at gauges beside each other too.
+RunRecord oblique_waves() {
+    RunRecord r = tank(0.04, 0);
+    const double along = 0.5, across = std::sqrt(0.75);
+    r.numbers["wave_direction"] = along, r.numbers["wave_across"] = across, r.numbers["speed"] = 0.4;
+    Table& height = r.table("height");
+    height = Table{"height"};
+    const std::tuple<const char*, double, double> gauges[] = {{"a", -0.3, 0.2}, {"b", -0.1, -0.1}, {"c", 0.1, 0.25}};
+    for (const auto& [name, x, y] : gauges)
+        r.numbers[std::string("height_x_") + name] = x, r.numbers[std::string("height_y_") + name] = y;
+    Table& forces = r.table("forces");
+    for (double t = 0; t < 9; t += 0.01) {
+        const double angle = 2 * pi / 0.8 * t;
+        std::size_t row = height.append(t);
+        for (const auto& [name, x, y] : gauges) {
+            const double way = along * x + across * y;  // it loses 5 % in a wave length
+            height.set(row, name, "m", 0.02 * std::pow(0.95, way) * std::cos(2 * pi * way - angle));
+        }
+        row = forces.append(t);
+        forces.set(row, "fx", "N", 12 * std::cos(angle - 0.5));
+        forces.set(row, "fy", "N", -1 + 7 * std::cos(angle + 0.3));
+        forces.set(row, "fz", "N", 300 + 9 * std::cos(angle));
+    }
+    return r;
+}
+
+TEST(RegularWaveMeasure, GivesForcesAcrossAndPlacesOnTheWayOfObliqueWaves) {
+    Comparison c;
+    c.sources = {oblique_waves()};
+    c.names = {"sph"};
+    add_regular_wave(c);
+    add_wave_peaks(c);
+    const auto value = [&](const char* name) {
+        const Quantity* q = c.find(name);
+        return q && q->values[0].known ? q->values[0].value : NAN;
+    };
+    EXPECT_NEAR(value("wave_force_y"), 7, 1e-6);
+    EXPECT_NEAR(value("wave_force_phase_y"), 0.3 * 180 / pi, 1e-6);
+    EXPECT_NEAR(value("wave_drift_y"), -1, 1e-6);
+    EXPECT_NEAR(value("wave_loss"), 5, 0.1);  // by x alone the three fit no wave
+    EXPECT_NEAR(value("peak_mean:force_y"), 6, 0.1);
+    c.sources[0].numbers["wave_across"] = -std::sqrt(0.75);  // towards -y
+    c.quantities.clear();
+    add_wave_peaks(c);
+    EXPECT_NEAR(value("peak_mean:force_y"), 8, 0.1);
+    c.sources[0].numbers.erase("wave_across");
+    c.quantities.clear();
+    add_regular_wave(c);
+    EXPECT_FALSE(c.find("wave_force_y")) << "head waves have none";
+}
+
 TEST(RegularWaveMeasure, GivesTheForceOnAnObstacleOverTheWaveOfTheRunWithoutIt) {
     Comparison c;
     c.sources = {tank(0.04, 0), tank(0.04, 0)};
