@@ -58,6 +58,10 @@ std::string oblique_text(const Scene& scene) {
         energy.x() < 0 ? "behind" : "ahead", energy.y() > 0 ? "low y" : "high y", time_to_fill(scene));
 }
 
+/// Of a stream over the speed of a following wave's energy: above it the zone that makes the wave no longer keeps its
+/// height within 5 % (docs/decisions/088-waves.md).
+constexpr double kept_well_below = 0.55;
+
 /// How fast it runs, and what current it has.
 std::string speed_text(const Scene& scene) {
     const RegularWave& w = *scene.wave;
@@ -82,6 +86,9 @@ std::string speed_text(const Scene& scene) {
         : scales.comes_from_low_x
             ? " from ahead, since the stream is faster than it; by a linear model its height is within "
               "5 to 13 % of that asked for"
+        : scene.motion.speed > kept_well_below * (scene.motion.speed + scales.slowest)
+            ? " from behind; so near to the speed of its energy, by a linear model its height is within 15 % of that "
+              "asked for"
             : " from behind");
 }
 

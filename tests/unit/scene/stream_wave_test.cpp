@@ -7,6 +7,7 @@
 #include "scene/box/tank_wave.h"
 #include "scene/mesh/mesh_cells.h"
 #include "scene/new_record.h"
+#include "scene/summary/wave_text.h"
 #include "scene_text.h"
 #include "waves/dispersion.h"
 
@@ -91,6 +92,15 @@ TEST(StreamWave, ThatFollowsIsMadeWhereItsEnergyComesFrom) {
         EXPECT_EQ(new_record(s, "sph").numbers.at("wave_direction"), U > omega / k ? 1 : -1);
         EXPECT_GE(s.sampling.mean_from, s.motion.ramp + 3 * wave.period + 3.5 / wave.slowest - 1e-9);
     }
+}
+
+TEST(StreamWave, ThatFollowsIsSaidToHaveLessOfItsHeightNearTheSpeedOfItsEnergy) {
+    const std::string follows = "height = 0.06\nlength = 1\ndirection = \"180 deg\"\n";  // its energy: 0.65 m/s
+    const auto says = [&](double U) {
+        return wave_text(scene_of(stream(follows, "", U))).find("within 15 %") != std::string::npos;
+    };
+    EXPECT_TRUE(says(0.42));
+    EXPECT_FALSE(says(0.3));
 }
 
 TEST(StreamWave, IsMeasuredOnceItHasPassed) {
