@@ -135,6 +135,28 @@ TEST(ForcingZonesInInterFoam, DrawToASumOfWavesThatAStreamCarries) {
     EXPECT_NE(source.find("current         0.15;"), std::string::npos) << source;
 }
 
+// A wave under an angle to x is for a library that knows it; head waves are what they were.
+TEST(ForcingZonesInInterFoam, DrawToAnObliqueWave) {
+    Scene scene = channel();
+    const auto source_of = [&](double direction, double across) {
+        scene.wave = regular_wave({.height = 0.02,
+                                   .length = 0.8,
+                                   .depth = 0.2,
+                                   .direction = direction,
+                                   .across = across,
+                                   .closed = false,
+                                   .stream = 0.7});
+        return text_of(plan_case(scene, installation("openfoam.com", "v1912", "/lib/libforcingZones.so")),
+                       "constant/fvOptions");
+    };
+    const std::string oblique = source_of(0.6, 0.8), head = source_of(1, 0);
+    EXPECT_NE(oblique.find("forcingZonesOblique;"), std::string::npos) << oblique;
+    EXPECT_NE(oblique.find("across          0.8;"), std::string::npos) << oblique;
+    EXPECT_NE(oblique.find("direction       0.6;"), std::string::npos) << oblique;
+    EXPECT_NE(head.find("forcingZones;"), std::string::npos) << head;
+    EXPECT_EQ(head.find("across"), std::string::npos) << head;
+}
+
 // Without them the case has no word of them.
 TEST(ForcingZonesInInterFoam, LeaveNothingBehindWhereTheyAreOff) {
     Scene scene = channel();
