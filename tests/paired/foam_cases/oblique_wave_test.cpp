@@ -1,6 +1,6 @@
 // A wave that crosses a stream, made by zones at all four sides of interFoam's box, beside theory at gauges.
 #include "foam_test.h"
-#include "oblique_wave_box.h"
+#include "tests/oblique_wave_box.h"
 
 namespace tw {
 namespace oblique_wave_test {

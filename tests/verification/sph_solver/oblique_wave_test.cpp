@@ -1,5 +1,5 @@
 // A wave that crosses a stream, made by zones at all four sides of the particles' box, beside theory at gauges.
-#include "oblique_wave_box.h"
+#include "tests/oblique_wave_box.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw {
