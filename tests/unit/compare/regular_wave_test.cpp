@@ -368,7 +368,8 @@ RunRecord oblique_waves() {
     const double along = 0.5, across = std::sqrt(0.75);
     r.numbers["wave_direction"] = along, r.numbers["wave_across"] = across, r.numbers["speed"] = 0.4;
     Table& height = r.table("height");
-    height = Table{"height"};
+    height = Table();
+    height.name = "height";
     const std::tuple<const char*, double, double> gauges[] = {{"a", -0.3, 0.2}, {"b", -0.1, -0.1}, {"c", 0.1, 0.25}};
     for (const auto& [name, x, y] : gauges)
         r.numbers[std::string("height_x_") + name] = x, r.numbers[std::string("height_y_") + name] = y;
