@@ -98,13 +98,18 @@ protected:
         if (!all) throw std::runtime_error("a run ended before it could be stopped");
         return stopped;
     }
+    /// Of a process by its folder in /proc; nothing: it ended meanwhile, which a stream that is being read reports so.
+    static std::string command_of(const fs::path& process) {
+        try {
+            return content(process / "cmdline");
+        } catch (const std::ios_base::failure&) { return {}; }
+    }
     /// The process that makes run `number` of a study that was submitted here; 0: there is none.
     pid_t member(std::size_t number) const {
         const std::string words = std::string("member\0..\0", 10) + std::to_string(number) + '\0';
         for (const auto& entry : fs::directory_iterator("/proc")) {
             std::error_code gone;
-            if (has(content(entry.path() / "cmdline"), words) &&
-                fs::read_symlink(entry.path() / "cwd", gone) == folder_)
+            if (has(command_of(entry.path()), words) && fs::read_symlink(entry.path() / "cwd", gone) == folder_)
                 return std::stoi(entry.path().filename().string());
         }
         return 0;
