@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "text/did_you_mean.h"
+#include "text/name.h"
 #include "text/units.h"
 
 namespace tw {
@@ -178,9 +179,7 @@ bool Section::flag(const std::string& key, bool fallback) {
 
 std::string Section::identifier(const std::string& key, const std::string& fallback) {
     const std::string name = text(key, fallback);
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-    if (name.empty() || name.size() > 40 || !letter(name[0]) || !std::all_of(name.begin(), name.end(), allowed))
+    if (!is_name(name, 40))
         fail(key, "expected a name of letters, digits and '_' that begins with a letter, at most 40 long");
     return name;
 }

@@ -292,9 +292,9 @@ def main():
 Made by `tools/gallery.py RUNS` from runs of {made} of the {len(studies)} studies, each by the command in its row; many
 are coarser than the scene's own size, which the command then says. The time is that of the processor. Each picture is a
 cut through the middle of the water at one moment of the run, or the water's surface round a hull from astern at its
-end. ± is the 95 % interval of the report: of a run at one size the scatter of the mean alone, not what the size is worth.
-What was measured, or is known exactly, stands beside the values. The pages linked in [studies](../studies/README.md)
-judge finer runs.
+end. ± is the 95 % interval of the report: of a run at one size the scatter of the mean alone, not what the size is
+worth. What was measured, or is known exactly, stands beside the values. The pages linked in
+[studies](../studies/README.md) judge finer runs.
 
 | study | title | picture | time, size, command | results |
 |---|---|---|---|---|

@@ -95,6 +95,7 @@ RegularWave by(const WaveOrder& order, RegularWave::Theory theory) {
 }  // namespace
 
 double RegularWave::encounter_period() const { return 2 * pi / std::abs(encounter_frequency()); }
+double RegularWave::group_speed_in_water() const { return group_speed_ratio(k() * depth) * speed_in_water; }
 double RegularWave::period_in_water() const { return length / speed_in_water; }
 
 double RegularWave::pressure_over_density(double x, double z, double t) const {

@@ -22,6 +22,7 @@ struct RegularWave {
     /// Seen from the scene's axes, as a hull in a stream meets it [rad/s]; negative: it is overtaken.
     double encounter_frequency() const { return sum.k * sum.speed; }
     double encounter_period() const;  ///< [s]
+    double group_speed_in_water() const;  ///< of its energy, by linear theory for its own speed [m/s]
     double period_in_water() const;   ///< of one who moves with the mean velocity below the troughs [s]
     /// p/rho at (x, 0, z, t), of the wave alone [m2/s2]: 0 at the surface.
     double pressure_over_density(double x, double z, double t) const;

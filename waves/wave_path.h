@@ -10,35 +10,35 @@ struct WaveInStream {
     double time = 0;    ///< [s]
     double share = 1;   ///< of the wave's height [-]
     double stream = 0;  ///< along x [m/s]
-
-    void velocity(const WaveSum& wave, double x, double z, double& u, double& w) const {
-        if (share == 0) {
-            u = stream, w = 0;
-            return;
-        }
-        wave_velocity(wave, x, z, time, u, w);
-        u = stream + share * (u - wave.current);
-        w *= share;
-    }
 };
 
-/// The velocity of water [m/s], less `frame` along x.
+/// The velocity of water at (x, z) [m/s], less `frame` along x.
 struct WaterVelocity {
-    double u, w;
-    WaterVelocity(const WaveSum& wave, const WaveInStream& now, double x, double z, double frame = 0) {
-        now.velocity(wave, x, z, u, w);
+    double u, w = 0;
+    WaterVelocity(const WaveSum& wave, const WaveInStream& now, double x, double z, double frame = 0) : u(now.stream) {
+        if (now.share != 0) {
+            wave_velocity(wave, x, z, now.time, u, w);
+            u = now.stream + now.share * (u - wave.current);
+            w *= now.share;
+        }
         u -= frame;
     }
 };
 
-/// Where water at (x, z) at the moment `before` is at the moment `after`, by a step of the classical Runge-Kutta scheme.
-inline void go_with_water(const WaveSum& wave, const WaveInStream& before, const WaveInStream& middle,
-                          const WaveInStream& after, double& x, double& z) {
-    const double dt = after.time - before.time;
-    const WaterVelocity a(wave, before, x, z), b(wave, middle, x + dt / 2 * a.u, z + dt / 2 * a.w),
-        c(wave, middle, x + dt / 2 * b.u, z + dt / 2 * b.w), d(wave, after, x + dt * c.u, z + dt * c.w);
+/// Where water at (x, z) at the moment `before` is at the moment `after`, dt later, seen from what moves with `frame`
+/// along x: a step of the classical Runge-Kutta scheme.
+inline void step_with_water(const WaveSum& wave, const WaveInStream& before, const WaveInStream& middle,
+                            const WaveInStream& after, double dt, double frame, double& x, double& z) {
+    const WaterVelocity a(wave, before, x, z, frame), b(wave, middle, x + dt / 2 * a.u, z + dt / 2 * a.w, frame),
+        c(wave, middle, x + dt / 2 * b.u, z + dt / 2 * b.w, frame), d(wave, after, x + dt * c.u, z + dt * c.w, frame);
     x += dt / 6 * (a.u + 2 * b.u + 2 * c.u + d.u);
     z += dt / 6 * (a.w + 2 * b.w + 2 * c.w + d.w);
+}
+
+/// The same, seen from the scene's axes.
+inline void go_with_water(const WaveSum& wave, const WaveInStream& before, const WaveInStream& middle,
+                          const WaveInStream& after, double& x, double& z) {
+    step_with_water(wave, before, middle, after, after.time - before.time, 0, x, z);
 }
 
 /// From water at (x, z) to that on the same streamline, seen from the crests, that would be `way` behind it without the
@@ -50,13 +50,7 @@ inline void go_behind(const WaveSum& wave, const WaveInStream& now, double carri
     const double crests = wave.direction * wave.speed,
                  V = crests - now.stream - now.share * now.share * carried;  // what is carried grows as the energy
     constexpr int steps = 8;
-    const double dt = way / V / steps;
-    for (int step = 0; step < steps; ++step) {
-        const WaterVelocity a(wave, now, x, z, crests), b(wave, now, x + dt / 2 * a.u, z + dt / 2 * a.w, crests),
-            c(wave, now, x + dt / 2 * b.u, z + dt / 2 * b.w, crests), d(wave, now, x + dt * c.u, z + dt * c.w, crests);
-        x += dt / 6 * (a.u + 2 * b.u + 2 * c.u + d.u);
-        z += dt / 6 * (a.w + 2 * b.w + 2 * c.w + d.w);
-    }
+    for (int step = 0; step < steps; ++step) step_with_water(wave, now, now, now, way / V / steps, crests, x, z);
 }
 
 }  // namespace tw

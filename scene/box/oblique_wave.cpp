@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "waves/dispersion.h"
-
 namespace tw {
 namespace {
 
@@ -14,16 +12,13 @@ constexpr double strength_of_oblique = 1.5;  ///< over that of a zone of one wav
 constexpr double least_frequency = 0.5;      ///< for which zones are made, of omega
 
 double omega_in_water(const RegularWave& wave) { return wave.k() * wave.speed_in_water; }
-double group_in_water(const RegularWave& wave) {
-    return group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water;
-}
 
 /// In place of omega_e, for the zones at the ends of an axis [rad/s].
 double frequency_across(const RegularWave& wave, int axis) {
     const double omega = omega_in_water(wave), U = wave.sum.current, along = wave.sum.direction;
     const double across = axis == 1    ? omega * std::abs(wave.sum.across)
                           : along >= 0 ? wave.k() * (wave.speed_in_water * along + U)
-                                       : omega * std::abs(U / group_in_water(wave) + along);
+                                       : omega * std::abs(U / wave.group_speed_in_water() + along);
     return std::max(across, least_frequency * omega);
 }
 
@@ -33,7 +28,7 @@ bool runs_obliquely(const Scene& scene) { return scene.wave && scene.wave->sum.a
 
 Eigen::Vector2d energy_velocity(const Scene& scene) {
     const RegularWave& wave = *scene.wave;
-    const double group = group_in_water(wave);
+    const double group = wave.group_speed_in_water();
     return {wave.sum.current + group * wave.sum.direction, group * wave.sum.across};
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Of the energy, along the wave's direction over the scene's axes [m/s].
 double group_speed(const RegularWave& wave) {
-    return group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water + wave.sum.direction * wave.sum.current;
+    return wave.group_speed_in_water() + wave.sum.direction * wave.sum.current;
 }
 double group_speed_in_water(const Sea& sea, double k, double omega) {
     return group_speed_ratio(k * sea.depth()) * omega / k;
@@ -51,7 +51,7 @@ WaveScales wave_scales(const Scene& scene) {
             return w;
         }
         if (scene.motion.kind != Motion::Kind::stream || w.direction > 0) return w;
-        const double in_water = group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water;
+        const double in_water = wave.group_speed_in_water();
         w.slowest = std::abs(w.slowest);
         w.lowest_frequency = wave.k() * wave.speed_in_water * w.slowest / in_water;
         return w;

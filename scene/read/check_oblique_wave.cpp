@@ -5,7 +5,6 @@
 
 #include "scene/box/oblique_wave.h"
 #include "scene/read/read.h"
-#include "waves/dispersion.h"
 
 namespace tw {
 namespace {
@@ -44,7 +43,7 @@ void refuse_oblique_surroundings(const Scene& scene, Sections& s, double degrees
 void check_oblique_wave(const Scene& scene, Sections& s, const std::string& size) {
     const RegularWave& wave = *scene.wave;
     const double U = scene.motion.speed, along = wave.sum.direction, c = wave.speed_in_water,
-                 group = group_speed_ratio(wave.k() * wave.depth) * c;
+                 group = wave.group_speed_in_water();
     if (along < nearly_following && U > slowest_passing * group * -along)
         s.wave.fail(
             size,

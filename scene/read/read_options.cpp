@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "scene/read/read.h"
+#include "text/name.h"
 #include "text/units.h"
 
 namespace tw {
@@ -137,9 +137,7 @@ namespace {
 /// Of a quantity of the report: a name, and behind colons those of its body or place, as in heave_response:hull.
 std::string quantity_named(SceneSection& s) {
     const std::string name = s.text("quantity").value_or("");
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == ':'; };
-    if (name.empty() || name.size() > 80 || !letter(name[0]) || !std::ranges::all_of(name, allowed))
+    if (!is_name(name, 80, ":"))
         s.fail("quantity",
                "expected the name of a quantity of the report, of letters, digits, '_' and ':', as \"lift\" or "
                "\"heave_response:hull\"");

@@ -184,8 +184,8 @@ bool enters_with_stream(const Scene& scene, Sections& s) {
 /// passed, waves of other lengths have its frequency of encounter and come with it.
 void check_following(const Scene& scene, Sections& s, const std::string& size) {
     const RegularWave& wave = *scene.wave;
-    const double U = scene.motion.speed, group = group_speed_ratio(wave.k() * wave.depth) * wave.speed_in_water,
-                 behind = slowest_passing * group, ahead = slowest_overtaking * wave.speed_in_water;
+    const double U = scene.motion.speed, group = wave.group_speed_in_water(), behind = slowest_passing * group,
+                 ahead = slowest_overtaking * wave.speed_in_water;
     if (U > behind && U < ahead)
         s.wave.fail(size,
                     fmt::format("this following wave, {:.4g} m long, runs at {:.4g} m/s, its energy at {:.4g} m/s, "

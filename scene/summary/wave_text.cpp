@@ -51,8 +51,7 @@ std::string oblique_text(const Scene& scene) {
     const Eigen::Vector2d energy = energy_velocity(scene);
     return fmt::format(
         "{:.4g} m/s in the water, {}: {:.4g} s in the water, met every {:.4g} s (U omega_e/g {:.3g}); its energy runs "
-        "at "
-        "({:.4g}, {:.4g}) m/s past the hull, and fills the box from {} and {} in {:.4g} s",
+        "at ({:.4g}, {:.4g}) m/s past the hull, and fills the box from {} and {} in {:.4g} s",
         w.speed_in_water, comes_from(w), w.period_in_water(), w.encounter_period(),
         scene.motion.speed * w.encounter_frequency() / w.gravity, energy.x(), energy.y(),
         energy.x() < 0 ? "behind" : "ahead", energy.y() > 0 ? "low y" : "high y", time_to_fill(scene));

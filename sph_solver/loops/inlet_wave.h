@@ -30,6 +30,15 @@ struct WaveOfInlet {
     }
 };
 
+/// Puts a particle to (x, z), with the velocity of the water there. `was`: its density deviation where it was, by the wave.
+inline void put_under_wave(const StateView& p, const WaveOfInlet& wave, const WaveInStream& now, std::size_t i,
+                           double x, double z, double was) {
+    p.x[i] = x, p.z[i] = z;
+    const WaterVelocity here(wave.sum, now, x, z);
+    p.u[i] = static_cast<float>(here.u), p.w[i] = static_cast<float>(here.w);
+    p.drho[i] = static_cast<float>(static_cast<double>(p.drho[i]) + (wave.density(x, z, now) - was));
+}
+
 /// Gives the inlet's particles place, velocity and pressure of the water under the wave, after a step that has moved
 /// them along their own velocities for `moved` [s].
 struct CarryInlet {
@@ -44,10 +53,7 @@ struct CarryInlet {
         double x = p.x[i] - moved * static_cast<double>(p.u[i]), z = p.z[i] - moved * static_cast<double>(p.w[i]);
         const double was = wave.density(x, z, before);
         go_with_water(wave.sum, before, middle, after, x, z);
-        p.x[i] = x, p.z[i] = z;
-        const WaterVelocity now(wave.sum, after, x, z);
-        p.u[i] = static_cast<float>(now.u), p.w[i] = static_cast<float>(now.w);
-        p.drho[i] = static_cast<float>(static_cast<double>(p.drho[i]) + (wave.density(x, z, after) - was));
+        put_under_wave(p, wave, after, i, x, z, was);
     }
 };
 
@@ -65,10 +71,8 @@ struct EnterUnderWave {
         double x = p.x[i] + buffer, z = p.z[i];
         const double was = wave.density(x, z, now);
         go_behind(wave.sum, now, wave.carried, buffer, x, z);
-        p.x[i] = x, p.z[i] = z;
-        const WaterVelocity here(wave.sum, now, x, z);
-        p.u[i] = static_cast<float>(here.u), p.v[i] = 0, p.w[i] = static_cast<float>(here.w);
-        p.drho[i] = static_cast<float>(static_cast<double>(p.drho[i]) + (wave.density(x, z, now) - was));
+        put_under_wave(p, wave, now, i, x, z, was);
+        p.v[i] = 0;
     }
 };
 
