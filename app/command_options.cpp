@@ -32,6 +32,7 @@ void add_scene(CLI::App& c, SceneArguments& scene) {
                  "swap the hull: this surface file instead of the scene's, in the same attitude and unit");
     c.add_option("--speed", scene.speed, "speed of the stream instead of the scene's, e.g. \"30 m/s\" or \"60 kn\"");
     c.add_option("--trim", scene.trim, "bow up, instead of the scene's, e.g. \"5 deg\"");
+    c.add_option("--wave-length", scene.wave_length, "of the regular wave, instead of the scene's, e.g. \"2.5 m\"");
     c.add_option("--near-hull", scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     c.add_option("--spacing", scene.spacing, "largest size instead of the scene's");
     c.add_option(
@@ -242,6 +243,8 @@ void sweep_options(CLI::App& c, SweepCommand& sweep) {
     c.add_option("--hulls", sweep.hulls, "surface files, in the attitude and unit of the scene's");
     c.add_option("--speeds", sweep.speeds, "e.g. \"6 m/s\" \"8 m/s\"");
     c.add_option("--trims", sweep.trims, "e.g. \"3 deg\" \"5 deg\"");
+    c.add_option("--wave-lengths", sweep.wave_lengths,
+                 "of the regular wave, e.g. \"2 m\" \"3 m\" \"4 m\": curves of the responses over them");
     c.add_option("--near-hull", sweep.scene.near_hull, "finest size instead of the scene's, e.g. \"25 mm\"");
     c.add_option("--scale", sweep.scene.scale, "all sizes times this number, refinement levels kept");
     c.add_option("--duration", sweep.scene.duration, "simulated time instead of the scene's, e.g. \"2 s\"");

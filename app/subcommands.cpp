@@ -84,7 +84,7 @@ std::vector<Subcommand> subcommands() {
     submit.below = {
         submit_row("run", "a scene with both methods, at its own size and two coarser ones", run_options, run_run),
         submit_row("ladder", "grid-convergence study: a scene at several sizes", grid_study_options, run_grid_study),
-        submit_row("sweep", "a scene with every hull, speed and trim of lists", sweep_options, run_sweep),
+        submit_row("sweep", "a scene with every hull, speed, trim and wave length of lists", sweep_options, run_sweep),
         submit_row("ablate", "effects switched one at a time", ablate_options, run_ablate),
         submit_row("validate", "a suite of cases with known truths", validate_options, run_validate),
     };
@@ -107,7 +107,7 @@ std::vector<Subcommand> subcommands() {
             "grid-convergence study: a scene at several sizes with both methods, verdicts that include the "
             "discretisation error",
             here<LadderCommand, grid_study_options>, run_grid_study),
-        row("sweep", "a scene with every hull, speed and trim of lists: bias and scatter of the methods",
+        row("sweep", "a scene with every hull, speed, trim and wave length of lists: bias and scatter of the methods",
             here<SweepCommand, sweep_options>, run_sweep),
         with_about(row("ablate", "effects switched one at a time: what each changes, and what it costs",
                        here<AblateCommand, ablate_options>, run_ablate),

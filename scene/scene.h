@@ -255,6 +255,7 @@ struct Scene {
     std::vector<RefinementBox> refinement;  ///< those and what the hull asks for
     Sampling sampling;
     std::vector<MeasuredValue> measured;
+    std::size_t measured_of_others = 0;  ///< rows of other speeds, waves, hulls or trims, left out
     Run run;
     SphOptions sph;
     FvmOptions fvm;
@@ -279,6 +280,7 @@ struct SceneOverrides {
     std::optional<std::filesystem::path> hull_file;
     std::optional<double> speed, spacing, near_hull, duration;  ///< [m/s], [m], [m], [s]
     std::optional<double> trim;                                 ///< [rad]
+    std::optional<double> wave_length = {};                     ///< of a regular wave [m]
     std::optional<double> scale_resolution = {};                ///< multiplies both sizes, see Resolution [-]
     double sound_speed_factor = 1;                              ///< multiplies c0 [-]
     double time_step_factor = 1;                                ///< multiplies the acoustic Courant number of SPH [-]

@@ -51,7 +51,7 @@ std::string templates_in_words();
 struct SceneArguments {
     std::filesystem::path file;
     std::filesystem::path hull;
-    std::string speed, trim, spacing, near_hull, duration, scale, device;
+    std::string speed, trim, wave_length, spacing, near_hull, duration, scale, device;
     std::vector<std::string> effects;  ///< "NAME=on" or "NAME=off"
     SceneOverrides overrides() const;  ///< throws InputError naming the option
 };
@@ -124,7 +124,7 @@ int run_grid_study(const LadderCommand& command, const Common& common);
 struct SweepCommand {
     SceneArguments scene;
     std::vector<std::filesystem::path> hulls;
-    std::vector<std::string> speeds, trims;  ///< texts with units
+    std::vector<std::string> speeds, trims, wave_lengths;  ///< texts with units
     std::string method;                      ///< sph, fvm, both; empty: what the scene says
     std::string coarser_members = "first";   ///< first, all, none: which scenes run their own
     std::filesystem::path out;               ///< empty: runs/<name of the scene file>_sweep

@@ -51,6 +51,7 @@ SceneOverrides SceneArguments::overrides() const {
             fmt::format("--trim {}: a number without a unit is in radians, and this is {:.3g} degrees, more than 15; "
                         "expected \"{} deg\", or \"{} rad\" where that is meant",
                         trim, *o.trim / degree, trim, trim));
+    read("--wave-length", wave_length, "m", o.wave_length);
     read("--spacing", spacing, "m", o.spacing);
     read("--near-hull", near_hull, "m", o.near_hull);
     read("--scale", scale, "", o.scale_resolution);

@@ -9,6 +9,7 @@
 #include "app/campaign/campaign.h"
 #include "app/campaign/coarser_members.h"
 #include "app/campaign/hull_labels.h"
+#include "app/campaign/wave_twin.h"
 #include "app/runs/ranks.h"
 #include "app/runs/solvers.h"
 #include "app/study/study.h"
@@ -17,16 +18,17 @@
 #include "base/folder_lock.h"
 #include "compare/grid_study/grid_study_report.h"
 #include "compare/grid_study/judge_by_sizes.h"
+#include "record/record_numbers.h"
 
 namespace tw::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// One scene of the set: the scene file with another hull, speed and trim.
-struct SweptHull {
+/// One scene of the set: the scene file with another hull, speed, trim and wave length.
+struct SweptScene {
     std::string name, folder;
-    std::string series;  ///< the name without the speed
+    std::string but_speed, but_wave_length;  ///< the name without the one and without the other
     SceneOverrides overrides;
     std::optional<PlannedRun> plan = {};
     std::string why_not = {};  ///< what is wrong with this scene
@@ -39,35 +41,43 @@ std::string plain(std::string name) {
     return name;
 }
 
-/// Every hull at every speed and trim; a list that is not given stands for the scene's own.
-std::vector<SweptHull> variants_of(const SweepCommand& command) {
+std::string joined(std::initializer_list<std::string> parts) {
+    std::string name;
+    for (const std::string& part : parts)
+        if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
+    return name;
+}
+
+/// A list that is not given stands for the scene's own value, which is "".
+std::vector<std::string> or_own(const std::vector<std::string>& list) {
+    return list.empty() ? std::vector<std::string>{""} : list;
+}
+
+/// Every hull at every speed, trim and wave length.
+std::vector<SweptScene> variants_of(const SweepCommand& command) {
     const std::vector<fs::path> hulls = command.hulls.empty() ? std::vector<fs::path>{{}} : command.hulls;
-    const std::vector<std::string> speeds = command.speeds.empty() ? std::vector<std::string>{""} : command.speeds,
-                                   trims = command.trims.empty() ? std::vector<std::string>{""} : command.trims;
     const std::vector<std::string> labels = hull_labels(hulls);
-    std::vector<SweptHull> variants;
+    std::vector<SweptScene> variants;
+    const auto add = [&](std::size_t h, const std::string& speed, const std::string& trim, const std::string& wave) {
+        SceneArguments scene = command.scene;
+        scene.hull = hulls[h], scene.speed = speed, scene.trim = trim, scene.wave_length = wave;
+        const std::string at_trim = trim.empty() ? "" : "trim " + trim,
+                          in_waves = wave.empty() ? "" : "waves of " + wave;
+        std::string name = joined({labels[h], speed, at_trim, in_waves});
+        if (name.empty()) name = command.scene.file.stem().string();
+        std::string folder = plain(name);  // a run that is there is found again when the lists grow
+        while (std::ranges::find(variants, folder, &SweptScene::folder) != variants.end()) folder += "_2";
+        variants.push_back({name, folder, joined({labels[h], at_trim, in_waves}), joined({labels[h], speed, at_trim}),
+                            scene.overrides()});
+    };
     for (std::size_t h = 0; h < hulls.size(); ++h)
-        for (const std::string& speed : speeds)
-            for (const std::string& trim : trims) {
-                SceneArguments scene = command.scene;
-                scene.hull = hulls[h], scene.speed = speed, scene.trim = trim;
-                const auto joined = [](std::initializer_list<std::string> parts) {
-                    std::string name;
-                    for (const std::string& part : parts)
-                        if (!part.empty()) name += (name.empty() ? "" : ", ") + part;
-                    return name;
-                };
-                const std::string at_trim = trim.empty() ? "" : "trim " + trim;
-                std::string name = joined({labels[h], speed, at_trim});
-                if (name.empty()) name = command.scene.file.stem().string();
-                std::string folder = plain(name);  // a run that is there is found again when the lists grow
-                while (std::ranges::find(variants, folder, &SweptHull::folder) != variants.end()) folder += "_2";
-                variants.push_back({name, folder, joined({labels[h], at_trim}), scene.overrides()});
-            }
+        for (const std::string& speed : or_own(command.speeds))
+            for (const std::string& trim : or_own(command.trims))
+                for (const std::string& wave : or_own(command.wave_lengths)) add(h, speed, trim, wave);
     return variants;
 }
 
-RunRequest request_of(const SweptHull& variant, const SweepCommand& command) {
+RunRequest request_of(const SweptScene& variant, const SweepCommand& command) {
     return {.file = command.scene.file,
             .overrides = variant.overrides,
             .method = command.method,
@@ -75,8 +85,8 @@ RunRequest request_of(const SweptHull& variant, const SweepCommand& command) {
             .elsewhere = command.making.elsewhere()};
 }
 
-void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
-    for (SweptHull& v : variants) try {
+void plan_all(std::vector<SweptScene>& variants, const SweepCommand& command) {
+    for (SweptScene& v : variants) try {
             v.plan = plan_run(request_of(v, command));
         } catch (const InputError& e) {
             v.why_not = e.what();
@@ -84,20 +94,20 @@ void plan_all(std::vector<SweptHull>& variants, const SweepCommand& command) {
         }
 }
 
-CoarserMembers coarser_members_of(const SweptHull& variant, const fs::path& out, const SweepCommand& command) {
+CoarserMembers coarser_members_of(const SweptScene& variant, const fs::path& out, const SweepCommand& command) {
     return {request_of(variant, command), out / variant.folder / "twins"};
 }
 
-CampaignRun run_of(const SweptHull& variant, const std::string& method, const fs::path& out) {
+CampaignRun run_of(const SweptScene& variant, const std::string& method, const fs::path& out) {
     return {variant.name + ": " + method_label(method), method, *variant.plan, out / variant.folder / method};
 }
 
 /// All that will be run as long as no coarser member fails.
-std::vector<CampaignRun> runs_of(const std::vector<SweptHull>& variants, const fs::path& out,
+std::vector<CampaignRun> runs_of(const std::vector<SweptScene>& variants, const fs::path& out,
                                  const SweepCommand& command) {
     std::vector<CampaignRun> runs;
     std::string coarser_members = command.coarser_members;
-    for (const SweptHull& v : variants) {
+    for (const SweptScene& v : variants) {
         if (!v.plan) continue;
         if (coarser_members != "none")
             for (CampaignRun& twin : coarser_members_of(v, out, command).runs()) {
@@ -105,7 +115,11 @@ std::vector<CampaignRun> runs_of(const std::vector<SweptHull>& variants, const f
                 runs.push_back(std::move(twin));
             }
         if (coarser_members == "first") coarser_members = "none";
-        for (const std::string& method : v.plan->scene.run.methods) runs.push_back(run_of(v, method, out));
+        for (const std::string& method : v.plan->scene.run.methods) {
+            CampaignRun run = run_of(v, method, out);
+            if (std::optional<CampaignRun> twin = wave_twin_of(run)) runs.push_back(std::move(*twin));
+            runs.push_back(std::move(run));
+        }
     }
     return runs;
 }
@@ -119,7 +133,7 @@ struct Errors {
 
 /// All methods of one scene, their coarser members if it is to run some, and their comparison. False: stopped on
 /// request. What is wrong with this scene goes into the member; the others are run all the same.
-bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand& command, Campaign& campaign,
+bool run_swept(const SweptScene& variant, const fs::path& out, const SweepCommand& command, Campaign& campaign,
                Errors& errors, SweepMember& member) {
     member.why_not = variant.why_not;
     if (!variant.plan) return true;
@@ -130,7 +144,11 @@ bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand
         if (coarser_members && !coarser_members->run(campaign)) return false;
         std::vector<RunRecord> records;
         for (const std::string& method : variant.plan->scene.run.methods) {
-            CampaignResult result = campaign.run_or_take(run_of(variant, method, out));
+            const CampaignRun run = run_of(variant, method, out);
+            if (const std::optional<CampaignRun> twin = wave_twin_of(run);
+                twin && campaign.run_or_take(*twin).state == CampaignResult::State::stopped)
+                return false;
+            CampaignResult result = campaign.run_or_take(run);
             if (result.state == CampaignResult::State::stopped) return false;
             if (!result.there()) {
                 member.why_not = method + ": " + result.why_not;
@@ -154,9 +172,9 @@ bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand
         member.quantities = comparison.quantities;
         member.references = comparison.references;
         member.discretisation_from = comparison.discretisation_from;
-        member.series = variant.series;
-        if (const auto& numbers = comparison.sources.front().numbers; numbers.contains("speed"))
-            member.speed = numbers.at("speed");
+        const RunRecord& first = comparison.sources.front();
+        member.speed = {variant.but_speed, number_of(first, "speed", nan)};
+        member.wave_length = {variant.but_wave_length, number_of(first, "wave_length", nan)};
     } catch (const InputError& e) {
         member.why_not = e.what();
         complain(variant.name + ": " + member.why_not);
@@ -169,9 +187,9 @@ bool run_swept(const SweptHull& variant, const fs::path& out, const SweepCommand
 int run_sweep(const SweepCommand& command, const Common& common) {
     const fs::path out =
         command.out.empty() ? fs::path("runs") / (command.scene.file.stem().string() + "_sweep") : command.out;
-    std::vector<SweptHull> variants = variants_of(command);
+    std::vector<SweptScene> variants = variants_of(command);
     plan_all(variants, command);
-    const auto first = std::ranges::find_if(variants, [](const SweptHull& v) { return v.plan.has_value(); });
+    const auto first = std::ranges::find_if(variants, [](const SweptScene& v) { return v.plan.has_value(); });
     if (first != variants.end()) say(common, unused_ranks(first->plan->scene));
     const FolderLock lock(out);
     CampaignRules rules = rules_of(command.making, out);
@@ -186,7 +204,7 @@ int run_sweep(const SweepCommand& command, const Common& common) {
     campaign.ahead(study, all);
     std::vector<SweepMember> members;
     Errors errors{command.coarser_members};
-    for (const SweptHull& variant : variants) {
+    for (const SweptScene& variant : variants) {
         SweepMember& member = members.emplace_back();
         member.name = variant.name;
         if (!run_swept(variant, out, command, campaign, errors, member)) {

@@ -7,6 +7,12 @@
 
 namespace tw {
 
+/// What a sweep varies step by step, and draws curves over.
+struct SweptNumber {
+    std::string series;  ///< what the member has in common with those that differ from it in this number alone
+    double value = nan;  ///< [unit of its axis, see swept_curves.h]
+};
+
 /// One scene of a set: what was varied, and what the methods made of it.
 struct SweepMember {
     std::string name;                  ///< "prismatic, 8 m/s, 5 deg"
@@ -16,8 +22,7 @@ struct SweepMember {
     std::vector<Quantity> quantities;  ///< of its comparison
     std::vector<Reference> references = {};  ///< formulas and measurements of these
     std::string discretisation_from;   ///< as its comparison says; empty: not estimated
-    std::string series;                ///< what it has in common with those that differ from it in speed alone
-    double speed = nan;                ///< [m/s]
+    SweptNumber speed = {}, wave_length = {};  ///< of the stream [m/s], of a regular wave [m]
 };
 
 /// How two methods stand to each other over a set of scenes, for one quantity:

@@ -9,8 +9,8 @@
 #include "compare/report/page.h"
 #include "compare/report/report_table.h"
 #include "compare/report/svg_plot.h"
-#include "compare/sweep/over_the_speed.h"
 #include "compare/sweep/sweep.h"
+#include "compare/sweep/swept_curves.h"
 #include "methods/methods.h"
 #include "record/force_names.h"
 
@@ -124,7 +124,7 @@ ReportTable the_scenes(const Sweep& sweep) {
 
 /// What the page and the terminal say of a sweep.
 std::vector<ReportTable> tables_of(const Sweep& sweep) {
-    std::vector<ReportTable> tables = over_the_speed(sweep);
+    std::vector<ReportTable> tables = swept_curves(sweep);
     for (ReportTable table : {bias_and_scatter(sweep), scene_by_scene(sweep), the_scenes(sweep)})
         tables.push_back(std::move(table));
     return tables;

@@ -281,6 +281,10 @@ Rows measured_keys() {
         {.name = "uncertainty", .kind = Kind::text, .fallback = "not known",
          .meaning = "Half width of its 95 % interval, in the same kind of unit or in per cent: \"3 N\", \"4 %\"."},
         {.name = "source", .kind = Kind::text, .fallback = "required", .meaning = "Who measured it, where it was published."},
+        {.name = "speed", .unit = "m/s", .range = positive, .fallback = "the scene's",
+         .meaning = "Of the stream in which it was measured: it counts at this speed alone, within 0.5 %. Without it the value is that of the scene as it is written, and not of another --speed."},
+        {.name = "wave_length", .unit = "m", .range = positive, .fallback = "the scene's",
+         .meaning = "Of the regular wave in which it was measured, in the same way: with it one scene can have the values of many waves, for sweep --wave-lengths."},
     };
 }
 
@@ -374,11 +378,11 @@ Rows sph_keys() {
 Rows fvm_keys() {
     return {
         {.name = "max_courant", .range = {0, 20, true}, .hashed = Hashed::run,
-         .slot = slot(&Scene::fvm, &FvmOptions::max_courant), .fallback = "4 in a stream, else 1",
+         .slot = slot(&Scene::fvm, &FvmOptions::max_courant), .fallback = "4 in a stream, 0.15 in waves (up to 0.5 where they enter with the stream), else 1",
          .meaning = "Largest Courant number of the flow."},
         {.name = "max_alpha_courant", .range = {0, 20, true}, .hashed = Hashed::run,
          .slot = slot(&Scene::fvm, &FvmOptions::max_alpha_courant),
-         .fallback = "4 in a stream (2 with isoadvector), 0.5 with a body that moves, else 1",
+         .fallback = "as max_courant (2 in a stream with isoadvector), 0.5 with a body that moves",
          .meaning = "Largest Courant number at the water surface."},
         {.name = "interface_compression", .range = {0, 4}, .hashed = Hashed::run,
          .slot = slot(&Scene::fvm, &FvmOptions::interface_compression),

@@ -163,8 +163,9 @@ std::string MeshMotion::sentence() const {
         case MeshMotion::Kind::morphing:
             return fmt::format(
                 "the mesh is morphed between the body and the walls, which stay where they are; the body "
-                "may move by {:.3g} m",
-                stretch());
+                "may move by {:.3g} m; gauges nearer to it than {:.2g} m and a cell or two double the time of a step, "
+                "since their cells are sought anew",
+                stretch(), outer);
         case MeshMotion::Kind::sliding:
             return "the whole mesh moves up and down with the body, along the tank's sides: there is no floor, the "
                    "water "

@@ -59,6 +59,11 @@ void apply_overrides(const SceneOverrides& o, TextValue& document) {
         override_key(document, "run", "duration", "--duration", number_value(*o.duration));
         override_key(document, "run", "stop", "--duration", text_value("duration"));
     }
+    if (o.wave_length) {
+        if (TextValue* wave = document.find("wave"))
+            std::erase_if(wave->members, [](const auto& m) { return m.first == "period"; });
+        override_key(document, "wave", "length", "--wave-length", number_value(*o.wave_length));
+    }
     if (o.trim) override_key(document, "hull", "trim", "--trim", number_value(*o.trim));
     for (const auto& [name, on] : o.effects)
         override_key(document, "effects", name, "--effect " + name, text_value(on ? "on" : "off"));

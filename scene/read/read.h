@@ -64,8 +64,18 @@ std::vector<RefinedPlace> read_refined(std::vector<SceneSection>& sections, cons
 std::optional<double> read_sampling(SceneSection& s, std::vector<SceneSection>& probes, Scene& scene);
 /// The sections [[volume]]. Throws InputError where two have one name, or a box has no volume.
 std::vector<WaterBox> read_volumes(std::vector<SceneSection>& sections);
-/// The sections [[measured]]. Throws InputError where one is not whole, or two are of one quantity.
-std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections);
+/// A section [[measured]]: the value, and the scenes that it belongs to.
+struct MeasuredRow {
+    MeasuredValue value;
+    std::optional<double> speed,
+        wave_length;  ///< of the stream [m/s], of a regular wave [m]; none: as in the scene file
+};
+/// Of a scene whose motion and wave are read. Throws InputError where one is not whole, or two are of one quantity at one
+/// speed in one wave.
+std::vector<MeasuredRow> read_measured(std::vector<SceneSection>& sections, const Scene& scene);
+/// Puts those that belong to the checked scene into it: not those of another speed or wave length, nor, where they name
+/// none, those whose scene the command line has changed in that or in hull or trim.
+void take_measured(std::vector<MeasuredRow> rows, const SceneOverrides& changed, Scene& scene);
 
 /// The hull as it stands in the water; health is checked later, when the particle spacing is known.
 struct FreeHullOptions {

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include "scene/read/read.h"
-#include "text/name.h"
-#include "text/units.h"
 
 namespace tw {
 
@@ -128,56 +126,6 @@ std::vector<WaterBox> read_volumes(std::vector<SceneSection>& sections) {
             s.fail("name", fmt::format("the name {} is taken; give every box its own", name));
         all.push_back({name, read_box(s)});
         s.finish();
-    }
-    return all;
-}
-
-namespace {
-
-/// Of a quantity of the report: a name, and behind colons those of its body or place, as in heave_response:hull.
-std::string quantity_named(SceneSection& s) {
-    const std::string name = s.text("quantity").value_or("");
-    if (!is_name(name, 80, ":"))
-        s.fail("quantity",
-               "expected the name of a quantity of the report, of letters, digits, '_' and ':', as \"lift\" or "
-               "\"heave_response:hull\"");
-    return name;
-}
-
-}  // namespace
-
-std::vector<MeasuredValue> read_measured(std::vector<SceneSection>& sections) {
-    std::vector<MeasuredValue> all;
-    std::set<std::string> taken;
-    for (SceneSection& s : sections) {
-        const auto required = [&](const std::string& key, const char* expected) {
-            std::optional<std::string> text = s.text(key);
-            if (!text || text->empty()) s.fail(key, fmt::format("missing; expected {}", expected));
-            return *text;
-        };
-        MeasuredValue m;
-        if (!s.has("quantity"))
-            s.fail("quantity", "missing; expected the name of a quantity of the report, as \"lift\"");
-        m.quantity = quantity_named(s);
-        if (!taken.insert(m.quantity).second)
-            s.fail("quantity", fmt::format("{} has a measured value already; give each quantity one", m.quantity));
-        const std::string value = required("value", "the measured value with its unit, as \"71.25 N\"");
-        m.unit = unit_after_number(value);
-        const auto read = [&](const char* key, const std::string& text) {
-            try {
-                return quantity(text, m.unit);
-            } catch (const UnitError& e) { s.fail(key, e.what()); }
-        };
-        m.value = read("value", value);
-        if (const auto uncertainty = s.text("uncertainty")) {
-            m.half_width = unit_after_number(*uncertainty) == "%"
-                               ? quantity(uncertainty->substr(0, uncertainty->find('%')), "-") / 100 * std::abs(m.value)
-                               : read("uncertainty", *uncertainty);
-            if (!(m.half_width > 0)) s.fail("uncertainty", "expected a half width above 0, or no uncertainty");
-        }
-        m.source = required("source", "who measured it, as \"Fridsma 1969, configuration A\"");
-        s.finish();
-        all.push_back(std::move(m));
     }
     return all;
 }

@@ -55,6 +55,7 @@ struct Reading {
     ResolutionOptions resolution = {};
     DomainOptions domain = {};
     std::optional<Box> tank = {};
+    std::vector<MeasuredRow> measured = {};
     std::optional<HullOptions> hull = {};
 };
 
@@ -69,7 +70,7 @@ void read_sections(Reading& r) {
     s.wave.finish();
     r.voxel = read_sampling(s.sampling, s.probes, scene);
     scene.sampling.volumes = read_volumes(s.volumes);
-    scene.measured = read_measured(s.measured);
+    r.measured = read_measured(s.measured, scene);
     const auto read_all = [&](SceneSection& section) {
         section.read_into(scene);
         section.finish();
@@ -300,6 +301,7 @@ Scene read_scene(const std::filesystem::path& file, const SceneOverrides& overri
     settle_places(r);
     settle_effects(r);
     check_wave(r.scene, r.sections);
+    take_measured(std::move(r.measured), overrides, r.scene);
     if (overrides.wave_twin) make_wave_twin(r.scene);
     r.scene.hash = scene_hash(r.scene);
     return std::move(r.scene);

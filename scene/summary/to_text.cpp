@@ -247,6 +247,9 @@ std::string sampling_text(const Scene& scene, const Prediction& p) {
     for (const MeasuredValue& m : scene.measured)
         out += fmt::format("measured    {} {:.6g} {} ({})\n", m.quantity, m.value / parse_unit(m.unit).factor, m.unit,
                            m.source);
+    if (scene.measured_of_others > 0)
+        out += fmt::format("measured    {} values of other speeds, waves, hulls or trims are left out\n",
+                           scene.measured_of_others);
     if (p.snapshots > 0) out += fmt::format("  snapshots {:.0f} sets of ParaView files\n", p.snapshots);
     return out;
 }

@@ -196,6 +196,24 @@ TEST_F(Command, ASweepRunsTheMethodsOfItsSceneOrThoseAskedFor) {
     EXPECT_EQ(methods({"--method", "both"}), "sph fvm sph fvm ");
 }
 
+TEST_F(Command, ASweepOverWaveLengthsHasARunWithoutTheBodiesForEach) {
+    write("box.toml",
+          "[tank]\nmin = [-2, 0, -0.4]\nmax = [2, 0.02, 0.2]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.06\n"
+          "period = 0.8\n[[body]]\nname = \"box\"\nshape = \"box\"\nlength = 0.2\nbeam = 0.02\nheight = 0.1\n"
+          "position = [0, 0, -0.05]\ndensity = 500\n[resolution]\nnear_hull = 0.015\n[run]\nmethods = [\"sph\"]\n");
+    const Outcome o =
+        twinwake({"sweep", "box.toml", "--wave-lengths", "0.8 m", "1.1 m", "--twins", "none", "--emit", "snakemake"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    std::string folders;
+    for (const auto& m : nlohmann::json::parse(content(folder_ / "runs/box_sweep/study/study.json"))["members"]) {
+        folders += m["folder"].get<std::string>() + " ";
+        EXPECT_EQ(m["changes"]["wave_length"], folders.find("1.1") == folders.npos ? 0.8 : 1.1);
+    }
+    const std::string at = "runs/box_sweep/waves-of-";
+    EXPECT_EQ(folders, at + "0.8-m/without_bodies/sph " + at + "0.8-m/sph " + at + "1.1-m/without_bodies/sph " + at +
+                           "1.1-m/sph ");
+}
+
 TEST_F(Command, CheckWritesAPageOfWhatWouldBeSolved) {
     write("a.toml", with(planing, "[run]", "[sph]\nc0 = 20\n[run]"));
     const Outcome o = twinwake({"check", "a.toml", "--html", "a.html"});

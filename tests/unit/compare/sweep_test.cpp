@@ -89,7 +89,7 @@ TEST(Sweep, ValuesWithoutALogarithmAreLeftOutAndCounted) {
 TEST(Sweep, OfSeveralSpeedsEveryHullHasItsCurves) {
     const auto at = [](double speed, const std::string& series) {
         SweepMember m = member(fmt::format("{} m/s", speed), 100 * speed, 110 * speed);
-        m.speed = speed, m.series = series;
+        m.speed = {series, speed};
         return m;
     };
     const auto page = [](std::vector<SweepMember> members) {
@@ -109,7 +109,7 @@ TEST(Sweep, TheTableOverTheSpeedHasMethodsAndFormulasAndNeedsOneMethodOnly) {
     const auto at = [](double speed, bool alone) {
         SweepMember m = member(fmt::format("{} m/s", speed), 100 * speed, 110 * speed);
         m.quantities[0].name = "running_trim", m.quantities[0].label = "Running trim", m.quantities[0].unit = "deg";
-        m.speed = speed;
+        m.speed = {"", speed};
         if (alone) m.methods = {"sph"}, m.quantities[0].values.pop_back();
         if (speed > 4) m.references = {{"running_trim", "deg", "Savitsky 1964", 3, 0.3, ""}};
         return m;
@@ -159,6 +159,27 @@ TEST(Sweep, EverySceneSaysWhereItsDiscretisationErrorIsFrom) {
         EXPECT_NE(out.find("not estimated"), std::string::npos);
         EXPECT_NE(out.find("+4.0 ± 9.5 %"), std::string::npos) << out;
     }
+}
+
+TEST(Sweep, OfSeveralWaveLengthsResponsesHaveCurvesWithWhatWasMeasured) {
+    const auto in_waves = [](double length, double measured) {
+        SweepMember m = member(fmt::format("waves of {} m", length), length, 2 * length);
+        m.quantities[0].name = "heave_response:hull",
+        m.quantities[0].label = "Heave of the hull over the wave's height", m.quantities[0].unit = "-";
+        m.wave_length = {"", length}, m.speed = {m.name, 4};
+        Reference tank{"heave_response:hull", "-", "the measured value (Fridsma 1969)", measured, 0, ""};
+        tank.measured = true;
+        m.references = {tank};
+        return m;
+    };
+    const Sweep sweep = build_sweep("set", {in_waves(4, 1.23), in_waves(2, 0.84), in_waves(3, 1.18)});
+    const std::string text = sweep_text(sweep);
+    ASSERT_NE(text.find("Over the wave length"), std::string::npos) << text;
+    EXPECT_EQ(text.find("Over the speed"), std::string::npos) << "they differ in the wave alone";
+    EXPECT_LT(text.find("2 m |"), text.find("3 m |")) << text;
+    EXPECT_NE(text.find("|    0.8400 |     1.180 |     1.230 |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| 4.0 ± 2.0 | 6.0 ± 2.0 | 8.0 ± 2.0 |"), std::string::npos) << text;
+    EXPECT_NE(sweep_html(sweep).find("data-x=\"wave length [m]\""), std::string::npos);
 }
 
 }  // namespace sweep_test

@@ -48,6 +48,20 @@ TEST(Pose, LeavesShapeAndVolumeAlone) {
     EXPECT_NEAR(after.inertia.trace(), before.inertia.trace(), 1e-14);
 }
 
+TEST(Wigley, FullerEndsHoldTheVolumeOfTheirFormula) {
+    constexpr double L = 3, B = 0.3, T = 0.1875, freeboard = 0.1;  // Journee's model III
+    for (const double a : {0.0, 0.2}) {
+        const Surface hull = make_hull("wigley", {{"length", L},
+                                                  {"beam", B},
+                                                  {"design_depth", T},
+                                                  {"freeboard", freeboard},
+                                                  {"fullness", a},
+                                                  {"stations", 400}});
+        const double below = (4.0 / 9 + 4.0 / 45 * a) * L * B * T, above = (2.0 / 3 + 2.0 / 15 * a) * L * B * freeboard;
+        EXPECT_NEAR(mass_properties(hull).volume, below + above, 2e-3 * (below + above)) << a;
+    }
+}
+
 TEST(Units, AreThoseOfTheDefinitions) {
     EXPECT_EQ(metres_per("m"), 1);
     EXPECT_EQ(metres_per("mm"), 1e-3);

@@ -95,6 +95,8 @@ inline std::map<std::string, Change> changes() {
     const std::string weighed =
         planing +
         "[[measured]]\nquantity = \"lift\"\nvalue = \"71.25 N\"\nuncertainty = \"3 N\"\nsource = \"Tank 3\"\n";
+    const std::string forced =
+        wavy + "[[measured]]\nquantity = \"wave_force_x\"\nvalue = \"3 N\"\nsource = \"Tank 3\"\n";
     const auto tank_with = [](const std::string& motion) {
         return with(tank, "size = [1, 0.5, 0.8]\n", "size = [1, 0.5, 0.8]\n" + motion) + "[sph]\nc0 = 100\n";
     };
@@ -212,6 +214,8 @@ inline std::map<std::string, Change> changes() {
         {"measured.value", replaced(weighed, "71.25 N", "70 N")},
         {"measured.uncertainty", replaced(weighed, "3 N", "4 N")},
         {"measured.source", replaced(weighed, "Tank 3", "Tank 4")},
+        {"measured.speed", {weighed, weighed + "speed = 3\n"}},
+        {"measured.wave_length", {forced, forced + "wave_length = 3\n"}},
         {"refine.name", {boxed, with(boxed, "[[refine]]\n", "[[refine]]\nname = \"a\"\n")}},
         {"refine.min", replaced(boxed, "min = [2, -0.5, -0.4]", "min = [2.2, -0.5, -0.4]")},
         {"refine.max", replaced(boxed, "max = [3, 0.5, 0.2]", "max = [3.2, 0.5, 0.2]")},

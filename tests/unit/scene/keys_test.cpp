@@ -58,7 +58,9 @@ TEST(Keys, OnlyWhatChangesNothingThatIsSolvedIsInNoHash) {
                                         "measured.quantity",
                                         "measured.value",
                                         "measured.uncertainty",
-                                        "measured.source"},
+                                        "measured.source",
+                                        "measured.speed",
+                                        "measured.wave_length"},
         beginning{"motion.ramp", "hull.release"};
     for (const SceneKey& key : scene_keys()) {
         const std::string name = key.section + "." + key.name;

@@ -59,5 +59,51 @@ TEST(Measured, ThatAreNotWholeAreRefusedInWords) {
     says(value + source + "[[measured]]\n" + value + source, "lift has a measured value already");
 }
 
+std::vector<double> values_of(const std::string& text, const SceneOverrides& changed = {}) {
+    std::vector<double> values;
+    for (const MeasuredValue& m : scene_of(text, changed).measured) values.push_back(m.value);
+    return values;
+}
+
+TEST(Measured, BelongToTheirSpeed) {
+    const auto at = [](const std::string& value, const std::string& speed) {
+        return "[[measured]]\nquantity = \"lift\"\nvalue = \"" + value + "\"\n" + source +
+               (speed.empty() ? "" : "speed = \"" + speed + "\"\n");
+    };
+    SceneOverrides slower, swapped;
+    slower.speed = 6;
+    swapped.trim = 0.1;
+    const std::string own = planing + at("70 N", "");
+    EXPECT_EQ(values_of(own), std::vector{70.0});
+    EXPECT_TRUE(values_of(own, slower).empty()) << "what was measured at one speed is not shown at another";
+    EXPECT_TRUE(values_of(own, swapped).empty()) << "nor at another trim";
+    EXPECT_EQ(scene_of(own, slower).measured_of_others, 1u);
+    const std::string two = planing + at("70 N", "8 m/s") + at("40 N", "6 m/s");
+    EXPECT_EQ(values_of(two, slower), std::vector{40.0});
+    EXPECT_NE(complaint(planing + at("70 N", "8 m/s") + at("71 N", "8.01 m/s")).find("its own speed or wave_length"),
+              std::string::npos);
+    EXPECT_NE(complaint(planing + at("70 N", "8 m/s") + at("71 N", "")).find("its own speed or wave_length"),
+              std::string::npos);
+    EXPECT_NE(complaint(planing + at("70 N", "") + "wave_length = 2\n").find("there is no regular wave"),
+              std::string::npos);
+}
+
+TEST(Measured, BelongToTheirWave) {
+    const std::string wave =
+        "[motion]\nkind = \"stream\"\nspeed = 0.6\n[domain]\nx = [-1, 1]\nz = [-0.4, 0.15]\n"
+        "dimensions = 2\n[water]\ndepth = 0.4\n[wave]\nheight = 0.04\nperiod = 0.8\n"
+        "[resolution]\nnear_hull = 0.01\n";
+    const auto in = [](const std::string& value, const std::string& length) {
+        return "[[measured]]\nquantity = \"wave_drift_x\"\nvalue = \"" + value + "\"\n" + source +
+               "wave_length = " + length + "\n";
+    };
+    SceneOverrides longer;
+    longer.wave_length = 1.2;
+    EXPECT_TRUE(values_of(wave + in("3 N/m", "0.8") + in("4 N/m", "1.2")).empty()) << "0.8 s are 1.0 m";
+    EXPECT_EQ(values_of(wave + in("3 N/m", "0.8") + in("4 N/m", "1.2"), longer), std::vector{4.0});
+    EXPECT_NEAR(scene_of(wave, longer).wave->length, 1.2, 1e-12);
+    EXPECT_NE(complaint(planing, longer).find("a wave needs its height"), std::string::npos) << "there is none";
+}
+
 }  // namespace measured_test
 }  // namespace tw::test

@@ -126,7 +126,14 @@ TEST(StreamWave, EntersWithAStreamThatIsFasterThanItWhereNothingRunsUpstream) {
         EXPECT_EQ(s.domain.box.min.x(), s.domain.as_asked.min.x());
         EXPECT_GE(s.sampling.mean_from, enters->begin + 3 * enters->ramp);
         EXPECT_GT(s.sph.alpha, 0.005);  // it has no long way to keep its height on
+        // steps of a 250th of the period, the same for all scales
+        EXPECT_NEAR(s.fvm.max_courant, s.motion.speed * enters->ramp / 250 / 0.01, 1e-9);
     }
+    SceneOverrides coarser;
+    coarser.scale_resolution = 2;
+    EXPECT_NEAR(scene_of(stream(wave, "", 2.5), coarser).fvm.max_courant,
+                scene_of(stream(wave, "", 2.5)).fvm.max_courant, 1e-9);
+    EXPECT_EQ(scene_of(stream("height = 0.06\nlength = 2.5\n", "", 3.5)).fvm.max_courant, 0.5);
     for (const Scene& s : {scene_of(stream(wave, "", 1.6)), scene_of(stream(wave, "", 0.6)),
                            scene_of(stream(wave, "[effects]\nforcing_zones = \"on\"\n", 1.6))}) {
         EXPECT_FALSE(inlet_wave(s));
