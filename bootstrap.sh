@@ -202,12 +202,14 @@ provide_paraview() {
 # --- commands --------------------------------------------------------------------------------------------------------
 
 run_tests() {
-    # Side by side, those that start a solver as well: most of them use one core, and none asserts a speed.
+    # Side by side, those that start a solver as well: most of them use one core, and none asserts a speed. One more than
+    # there are cores, since some wait: for a disk, a scheduler, the end of another run.
+    local at_once=$((jobs + 1))
     # The test programs lie deeper than build/twinwake, beside which the mended solvers are looked for.
     if [ -d .openfoam/bin ]; then export TWINWAKE_OPENFOAM_BIN=$root/.openfoam/bin; fi
-    say "tests, $jobs at a time"
+    say "tests, $at_once at a time"
     # unit tests in shares: what the label "unit" holds one by one
-    ctest --test-dir build --output-on-failure --no-tests=error -j "$jobs" --label-exclude '^unit$'
+    ctest --test-dir build --output-on-failure --no-tests=error -j "$at_once" --label-exclude '^unit$'
 }
 
 run_demo() {

@@ -60,8 +60,15 @@ std::optional<Departure> sunk_below_rest(const RunRecord& record);
 ///   E_k / (m g (z_c,min - z_floor))   [-]
 std::optional<Departure> motion_at_rest(const RunRecord& record);
 
-/// Of a stream: by how much the mass of the water in the box departs from what it is when the means begin [-], up to the
-/// end. A mean over a box that fills or empties is the mean of no steady flow.
+/// Of a stream: by how much the mass of the water in the box has changed since the means begin [-]. A mean over a box that
+/// fills or empties is the mean of no steady flow.
+///
+///   without waves     the row that departs most from the first
+///   a regular wave    its mean over the last whole period of encounter against that over the first: in a box shorter than
+///                     the wave the water swings with it
+///   a sea             its mean over the last half of the whole peak periods against that over the first half
+///
+/// Not a number with waves of which fewer than two whole periods are recorded.
 std::optional<Departure> change_of_water_in_box(const RunRecord& record);
 
 /// Of a stream of particles of one size: what its openings let in and out.

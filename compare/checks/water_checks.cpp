@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
+#include "base/numbers.h"
 #include "compare/checks/checks.h"
 #include "compare/metrics/raster_columns.h"
+#include "compare/metrics/wave_samples.h"
 #include "record/raster_grid.h"
 #include "record/record_numbers.h"
 #include "record/spray_table.h"
+#include "statistics/time_bins.h"
 
 namespace tw {
 namespace {
@@ -125,6 +129,47 @@ double no_water_leaves_until(const RunRecord& record) {
     return HUGE_VAL;
 }
 
+/// Of encounter; of a sea that of its peak; 0: there are no waves [s].
+double period_of_waves(const RunRecord& record) {
+    return std::max(number_of(record, "wave_period", 0), number_of(record, "sea_peak_period", 0));
+}
+
+/// Of the mass of water `m` [kg] at the times `t` [s], as change_of_water_in_box says it of waves.
+Departure change_between_periods(const RunRecord& record, std::vector<double> t, std::vector<double> m) {
+    const WavePeriods periods = periods_of(t, t.front(), period_of_waves(record));
+    if (periods.count < 2) return {nan, t.back()};
+    const double begin = std::max(periods.from, t.front()), at_begin = value_at(t, m, begin);
+    const auto before = std::ranges::upper_bound(t, begin) - t.begin();
+    t.erase(t.begin(), t.begin() + before), m.erase(m.begin(), m.begin() + before);
+    t.insert(t.begin(), begin), m.insert(m.begin(), at_begin);
+    const std::vector<double> of_period = time_bins(t, m, static_cast<std::size_t>(periods.count));
+    const bool each_like_the_other = number_of(record, "wave_period", 0) > 0;
+    const auto span = each_like_the_other ? 1 : std::ssize(of_period) / 2;
+    const double first = std::accumulate(of_period.begin(), of_period.begin() + span, 0.0),
+                 last = std::accumulate(of_period.end() - span, of_period.end(), 0.0);
+    return {last / first - 1, t.back()};
+}
+
+/// Adds the check of the water in the box; of waves that are too short to judge a warning that says so.
+void add_change_in_box(CheckList& list, const Departure& change) {
+    const char* const name = "change of the water in the box";
+    const double period = period_of_waves(list.record), limit = 1;
+    if (std::isnan(change.value)) {
+        list.checks.push_back(
+            {name, list.name, "%", change.value, limit, false,
+             fmt::format("not judged: fewer than two whole wave periods of {:.4g} s are recorded since "
+                         "the means begin",
+                         period),
+             true});
+        return;
+    }
+    const char* const sign = change.value < 0 ? "less" : "more";
+    const std::string where = period > 0 ? fmt::format("{} in the mean over the last waves than over the first", sign)
+                                         : fmt::format("{} at {:.4g} s", sign, change.time);
+    list.add(name, "%", 100 * std::abs(change.value), limit,
+             fmt::format("since the means begin, {}: a box that fills or empties has no steady mean", where));
+}
+
 }  // namespace
 
 std::optional<Departure> sunk_below_rest(const RunRecord& record) {
@@ -154,15 +199,14 @@ std::optional<Departure> change_of_water_in_box(const RunRecord& record) {
     if (!mass || !(number_of(record, "speed", 0) > 0)) return {};
     const double from = number_of(record, "mean_from", 0);
     const std::vector<double>& time = record.tables.at("samples").time;
-    double before = 0;
-    std::optional<Departure> worst;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        if (time[k] < from || !(mass->values[k] > 0)) continue;
-        if (!(before > 0)) before = mass->values[k];
-        const double change = mass->values[k] / before - 1;
-        if (!worst || std::abs(change) > std::abs(worst->value)) worst = Departure{change, time[k]};
-    }
-    return worst;
+    std::vector<double> t, m;
+    for (std::size_t k = 0; k < time.size(); ++k)
+        if (time[k] >= from && mass->values[k] > 0) t.push_back(time[k]), m.push_back(mass->values[k]);
+    if (t.empty()) return {};
+    if (period_of_waves(record) > 0) return change_between_periods(record, t, m);
+    const auto change = [&](double at_row) { return at_row / m.front() - 1; };
+    const auto worst = std::ranges::max_element(m, {}, [&](double at_row) { return std::abs(change(at_row)); });
+    return Departure{change(*worst), t[static_cast<std::size_t>(worst - m.begin())]};
 }
 
 std::optional<Throughput> throughput(const RunRecord& record) {
@@ -236,10 +280,7 @@ void add_water_checks(CheckList& list) {
             fmt::format(
                 "of the water's energy above the floor, worst at {:.4g} s: nothing in this scene sets it in motion",
                 motion->time));
-    if (const auto change = change_of_water_in_box(record))
-        list.add("change of the water in the box", "%", 100 * std::abs(change->value), 1,
-                 fmt::format("since the means begin, {} at {:.4g} s: a box that fills or empties has no steady mean",
-                             change->value < 0 ? "less" : "more", change->time));
+    if (const auto change = change_of_water_in_box(record)) add_change_in_box(list, *change);
     if (const auto openings = throughput(record)) {
         list.add("unexplained change of the number of particles", "-", openings->unaccounted, 0,
                  fmt::format("besides what the openings let in and out, at {:.4g} s", openings->unaccounted_at));

@@ -64,6 +64,7 @@ std::string per_cent_text(double per_cent, double interval) {
 }
 
 std::string number_text(double value, int digits) {
+    if (std::isnan(value)) return "–";
     const std::string text = plain_number(value, digits);
     return text.starts_with('-') ? "−" + text.substr(1) : text;
 }

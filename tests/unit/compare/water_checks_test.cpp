@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/numbers.h"
 #include "compare/checks/checks.h"
 #include "meshes/generate/shapes.h"
 #include "record/raster.h"
@@ -134,6 +135,41 @@ TEST(WaterKept, ABoxThatFillsFailsACheck) {
     ASSERT_TRUE(filled);
     EXPECT_FALSE(filled->pass);
     EXPECT_NEAR(filled->value, 41.4, 1e-9);
+}
+
+/// A stream with waves of 0.8 s up to a time, whose box holds 1000 kg: 5 % more and less with each wave, and a share
+/// `lost` of it gone at the end, at a steady rate.
+RunRecord stream_with_waves(const char* period, double lost, double until = 8) {
+    std::vector<double> mass;
+    for (double t = 0.1; t < until + 0.05; t += 0.1)
+        mass.push_back(1000 * (1 + 0.05 * std::sin(2 * pi * t / 0.8) - lost * t / until));
+    RunRecord r = stream(mass, 0);
+    r.numbers[period] = 0.8;
+    r.frames.clear();  // which the check does not look at
+    return r;
+}
+
+TEST(WaterKept, WaterThatSwingsWithTheWavesIsNotLost) {
+    const char* const name = "change of the water in the box";
+    for (const char* const period : {"wave_period", "sea_peak_period"}) {
+        EXPECT_TRUE(gate(stream_with_waves(period, 0), name)->pass) << period;
+        EXPECT_NEAR(gate(stream_with_waves(period, 0), name)->value, 0, 0.05) << period;
+    }
+    // of eight seconds nine whole periods: from the middle of the first to that of the last, of a sea from that of the first
+    // four to that of the last four
+    const auto lost = gate(stream_with_waves("wave_period", 0.02), name);
+    EXPECT_FALSE(lost->pass);
+    EXPECT_NEAR(lost->value, 2 * 6.4 / 8, 0.05);
+    EXPECT_FALSE(gate(stream_with_waves("sea_peak_period", 0.03), name)->pass);
+    EXPECT_NEAR(gate(stream_with_waves("sea_peak_period", 0.03), name)->value, 3 * 4.0 / 8, 0.05);
+}
+
+TEST(WaterKept, OfFewerThanTwoWavesTheChangeIsNotJudged) {
+    const auto few = gate(stream_with_waves("wave_period", 0.3, 1.6), "change of the water in the box");
+    ASSERT_TRUE(few);
+    EXPECT_TRUE(few->warns && !few->pass && std::isnan(few->value));
+    EXPECT_NE(few->remark.find("fewer than two whole wave periods of 0.8 s"), std::string::npos) << few->remark;
+    EXPECT_FALSE(gate(stream_with_waves("wave_period", 0.3, 1.8), "change of the water in the box")->warns);
 }
 
 /// Of particles, with what has gone through its openings, row by row; means from the second row on.
