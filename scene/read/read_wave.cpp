@@ -158,22 +158,29 @@ void check_ends(const Scene& scene, Sections& s, const char* height, double back
                             wave.comes_from_low_x ? "leave through the inlet" : "come in through the outlet", back));
 }
 
+/// Of a stream that is too fast for zones: without them head waves enter with it.
+std::string how_to_let_in(const Scene& scene) {
+    const char* off = "forcing_zones = \"off\" in [effects]";
+    if (may_enter_with_stream(scene))
+        return fmt::format("; or {}: then the wave{} with the stream", off, scene.sea ? "s enter" : " enters");
+    if (!scene.sea || scene.sea->waves.direction < 0) return {};
+    return fmt::format(
+        "; or a stream of at least {:.4g} m/s and {}: the speed of the longest waves that count ({:g} % "
+        "of the energy is in longer ones), which then enter with it",
+        fastest_that_counts(scene), off, 100 * waves_that_count);
+}
+
 void check_fastest(const Scene& scene, Sections& s, const std::string& size, double length, double speed) {
     const double U = scene.motion.speed, most = fastest_stream_with_wave * speed;
     if (U <= most * (1 + 1e-9)) return;
     const double slower = U / fastest_stream_with_wave;  // deep water's length of that speed
-    s.wave.fail(size,
-                fmt::format("the wave{}, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
-                            "inlet, which holds level and speed, then spoils its height by a tenth: expected a "
-                            "stream of at most {:.4g} m/s, {:g} times the wave's speed, or a longer wave (in "
-                            "deep water of {:.3g} m){}",
-                            scene.sea ? " (the shortest that counts)" : "", length, speed, U, most,
-                            fastest_stream_with_wave, 2 * std::numbers::pi * slower * slower / scene.water.gravity,
-                            may_enter_with_stream(scene)
-                                ? fmt::format("; or forcing_zones = \"off\" in [effects]: then the wave{} with the "
-                                              "stream",
-                                              scene.sea ? "s enter" : " enters")
-                                : ""));
+    s.wave.fail(size, fmt::format("the wave{}, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
+                                  "inlet, which holds level and speed, then spoils its height by a tenth: expected a "
+                                  "stream of at most {:.4g} m/s, {:g} times the wave's speed, or a longer wave (in "
+                                  "deep water of {:.3g} m){}",
+                                  scene.sea ? " (the shortest that counts)" : "", length, speed, U, most,
+                                  fastest_stream_with_wave,
+                                  2 * std::numbers::pi * slower * slower / scene.water.gravity, how_to_let_in(scene)));
 }
 
 /// Before the box is as large as its zones make it, which follow from the wave.

@@ -150,11 +150,15 @@ TEST(SeaInStream, EntersWithItsLongestWavesFasterThanTheStream) {
     const double longest = sea.waves.omega[0] / sea.waves.k[0], counts = sea.waves.omega[low] / sea.waves.k[low];
     EXPECT_GT(longest, 1.05 * counts);
     EXPECT_TRUE(inlet_wave(scene_of(stream(short_one, 1.03 * counts, off))));
-    const std::string said = complaint(stream(short_one, 0.95 * counts, off));
-    EXPECT_NE(said.find("head waves enter with a stream of at least the speed of the longest that count, with 5 % of "
-                        "the energy in longer ones"),
-              std::string::npos)
-        << said;
+    // below it zones would have to make them, which above 1.5 times the speed of the shortest they do not
+    for (const auto& [speed, part] :
+         {std::pair{0.95 * counts, "the speed of the longest waves that count (5 % of the energy is in longer ones)"},
+          {0.7 * counts,
+           "head waves enter with a stream of at least the speed of the longest that count, with 5 % of "
+           "the energy in longer ones"}}) {
+        const std::string said = complaint(stream(short_one, speed, off));
+        EXPECT_NE(said.find(part), std::string::npos) << said;
+    }
 }
 
 TEST(SeaInStream, FocusesAsSoonAsItHasGrownAndComeFromTheInlet) {
