@@ -1,7 +1,7 @@
 #pragma once
 #include "wave_components.h"
 
-// Read by the particles' loops, on a GPU too, and by OpenFOAM's compilers in C++11.
+// Read by the particles' loops, on a GPU without a mathematical library too.
 
 namespace tw {
 
@@ -46,8 +46,8 @@ inline SeaInStream sea_in_stream(const WaveComponents& waves) {
     return sea;
 }
 
-/// sum_n u_n C_n^power and sum_n w_n C_n^power at (x, z, t): velocities for power 0, along C_n u_n for 1, and for -1
-/// what `go_behind` follows (wave_path.h).
+/// sum_n u_n C_n^power and sum_n w_n C_n^power at (x, z, t): for power 0 velocities, for 1 the first is p/rho, for -1 they
+/// are the slopes that `go_behind` follows (wave_path.h).
 template <int power>
 inline void sea_sums(const SeaInStream& sea, double x, double z, double t, double& along, double& up) {
     constexpr int lanes = SeaInStream::lanes;

@@ -92,10 +92,9 @@ inline void go_behind(const RegularInStream& wave, const WaveInStream& now, doub
 ///
 ///   (Z + d) / s = z + d - sum_n psi_n / C_n,   dx/dA = s (1 - sum_n u_n / C_n),   s = 1 + sum_n carried_n / C_n
 ///
-/// at its moment, psi_n the stream function of component n. Lines at equal distances in Z and points on them at equal
-/// distances in A have equal areas between them, exactly; s is 1/(mean of 1 - u_n/C_n over the depth along the lines), so
-/// that the mean level is that of calm water. A line stays with its water to second order, along which of one
-/// wave they are the streamlines above. `calm`: Z [m].
+/// at its moment, psi_n the stream function of component n. Between lines at equal distances in Z and points at equal
+/// distances in A areas are equal, exactly; by s the mean level is that of calm water. Water stays on its line but for
+/// terms of second order without a mean; of one wave the lines are the streamlines above. `calm`: Z [m].
 inline void go_behind(const SeaInStream& sea, const WaveInStream& now, double way, double calm, double& x, double& z) {
     if (now.share == 0) {
         x -= way;
