@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "foam_cases/axis_cells.h"
+#include "foam_cases/files/case_files.h"
 #include "foam_cases/one_way.h"
 #include "foam_cases/own_openfoam.h"
 #include "foam_cases/release.h"
@@ -345,18 +346,19 @@ CasePlan plan_case(const Scene& scene, const Flavour& flavour) {
 
 namespace {
 
-/// A library that was built before waves could enter has zones alone.
-bool lets_waves_in(const std::filesystem::path& library) {
+/// A library that was built before waves could enter has zones alone, an older one lets regular waves in.
+bool lets_waves_in(const std::filesystem::path& library, const std::string& type) {
     std::ifstream file(library, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    return bytes.find("waveInletFraction") != std::string::npos;
+    return bytes.find(type) != std::string::npos;
 }
 
 /// Without the library waves and the level would come back from the ends, and no result would say so; or OpenFOAM would
 /// not know the inlet.
 void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
     if (plan.zones.zones.empty() && !plan.inlet_wave) return;
-    if (!plan.inlet_wave || lets_waves_in(openfoam.zone_library)) plan.zone_library = openfoam.zone_library.string();
+    if (!plan.inlet_wave || lets_waves_in(openfoam.zone_library, inlet_wave_type(plan, "waveInletFraction")))
+        plan.zone_library = openfoam.zone_library.string();
     if (!plan.zone_library.empty()) return;
     const std::string remedy =
         !plan.flavour.has_forcing_zones() ? "they are written for openfoam.com and for openfoam.org from 12"

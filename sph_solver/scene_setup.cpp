@@ -233,13 +233,11 @@ SphSetup sph_setup(const Scene& scene, int threads, const Comm& ranks) {
         // builds
         stream.buffer = std::ceil(2 * s.h_over_dp + 2) * std::ldexp(s.dp, sizes_of_particles(scene) - 1);
         if (const auto enters = inlet_wave(scene)) {
-            const RegularWave& wave = *scene.wave;
-            stream.wave = Stream::Wave{.sum = wave.sum,
-                                       .bernoulli = wave.bernoulli,
-                                       .gravity = wave.gravity,
-                                       .carried = wave.sum.direction * wave.transport / wave.depth,
-                                       .begin = enters->begin,
-                                       .ramp = enters->ramp};
+            stream.wave = Stream::Wave{.gravity = scene.water.gravity, .begin = enters->begin, .ramp = enters->ramp};
+            if (scene.wave)
+                stream.wave->of = in_stream(*scene.wave);
+            else
+                stream.wave->of = sea_in_stream(scene.sea->waves);
         }
         if (const auto tail = tailwater(scene)) {
             stream.behind_from = blocks_of_water(scene).back().min.x();

@@ -129,4 +129,8 @@ RegularWave regular_wave(const WaveOrder& order) {
     return full;
 }
 
+RegularInStream in_stream(const RegularWave& wave) {
+    return {.sum = wave.sum, .bernoulli = wave.bernoulli, .carried = wave.sum.direction * wave.transport / wave.depth};
+}
+
 }  // namespace tw

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "waves/wave_sum.h"
+#include "waves/wave_path.h"
 
 namespace tw {
 
@@ -46,5 +46,8 @@ struct WaveOrder {
 /// Throws std::domain_error where the stream function has no solution; height, one of length and period, depth and
 /// gravity are positive.
 RegularWave regular_wave(const WaveOrder& order);
+
+/// What carries water through an inlet under it.
+RegularInStream in_stream(const RegularWave& wave);
 
 }  // namespace tw

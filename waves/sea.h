@@ -26,7 +26,7 @@ struct Sea {
     /// Place of the component up to which, from the lowest frequency on, a share of the energy lies.
     int component_at(double share_of_energy) const;
     double length(int n) const { return 6.283185307179586476925 / waves.k[n]; }         ///< [m]
-    double frequency(int n) const { return waves.omega[n] * 0.159154943091895335769; }  ///< in the water [1/s]
+    double frequency(int n) const { return waves.omega[n] * turns_per_radian; }         ///< in the water [1/s]
     double met(int n) const;         ///< as it is met in the scene's axes, omega + direction k stream [rad/s]
     double peak_period_met() const;  ///< likewise [s]
     double length_at_peak() const;                                                      ///< [m]

@@ -43,7 +43,7 @@ inline double wave_surface(const WaveComponents& waves, double x, double y, doub
         double c, s;
         wave_circle((waves.k[n] * waves.direction * (x - waves.stream * t) + waves.k[n] * waves.across * y -
                      waves.omega[n] * t + waves.phase[n]) *
-                        0.159154943091895335769,
+                        turns_per_radian,
                     c, s);
         eta += waves.height[n] * c;
     }
@@ -63,7 +63,7 @@ inline WaveMoment wave_moment(const WaveComponents& waves, double t) {
         const double deep = 2 * waves.k[n] * waves.depth;
         double c, s;
         const double met = waves.omega[n] + waves.direction * waves.k[n] * waves.stream;
-        wave_circle((waves.phase[n] - met * t) * 0.159154943091895335769, c, s);
+        wave_circle((waves.phase[n] - met * t) * turns_per_radian, c, s);
         now.k[n] = waves.k[n];
         now.floor[n] = deep < 40 ? wave_exp(-deep) : 0;
         const double speed = waves.height[n] * waves.omega[n] / (1 - now.floor[n]);
@@ -91,27 +91,34 @@ inline double wave_small_exp(double y) {
 }
 // clang-format on
 
+/// Cosine and sine of an angle in turns, |turns| < 1e9, and E = exp(kz) for kz <= 0; below exp(-40) nothing moves.
+/// Without a branch.
+inline void wave_lane(double turns, double kz, double& C, double& S, double& E) {
+    // of a quarter of the angle from its nearest whole turn, doubled twice
+    turns -= (turns + 6755399441055744.0) - 6755399441055744.0;  // 1.5 2^52: rounds to a whole number
+    const double a = 1.57079632679489661923 * turns, a2 = a * a;
+    const double S1 = a * wave_sine(a2), C1 = 1 - 0.5 * a2 * wave_less(a2);
+    const double S2 = 2 * S1 * C1, C2 = 1 - 2 * S1 * S1;
+    S = 2 * S2 * C2, C = 1 - 2 * S2 * S2;
+    // of a 64th of the exponent, squared six times
+    const double q = kz * (1.0 / 64) + 0.625,  // its larger of q and -0.625, without a branch:
+        E1 = wave_small_exp(0.5 * (q + __builtin_fabs(q)) - 0.625), E2 = E1 * E1, E4 = E2 * E2, E8 = E4 * E4,
+                 E16 = E8 * E8, E32 = E16 * E16;
+    E = E32 * E32;
+}
+
 /// u, v and w at (x, y, z) [m/s], to 1e-11 of the largest. Components go side by side in lanes, without a branch.
 inline void wave_velocity(const WaveMoment& now, double x, double y, double z, double& u, double& v, double& w) {
     constexpr int lanes = WaveComponents::lanes;
     if (z > 0) z = 0;
     if (z < -now.depth) z = -now.depth;
-    const double turns_per_k = (now.direction * x + now.across * y) * 0.159154943091895335769;
+    const double turns_per_k = (now.direction * x + now.across * y) * turns_per_radian;
     double along[lanes] = {}, up[lanes] = {};
     for (int from = 0; from < now.count; from += lanes)
         for (int l = 0; l < lanes; ++l) {
             const int n = from + l;
-            // cosine and sine of k x: of a quarter of the angle from its nearest whole turn, doubled twice
-            double turns = now.k[n] * turns_per_k;
-            turns -= (turns + 6755399441055744.0) - 6755399441055744.0;  // 1.5 2^52: rounds to a whole number
-            const double a = 1.57079632679489661923 * turns, a2 = a * a;
-            const double S1 = a * wave_sine(a2), C1 = 1 - 0.5 * a2 * wave_less(a2);
-            const double S2 = 2 * S1 * C1, C2 = 1 - 2 * S1 * S1;
-            const double S = 2 * S2 * C2, C = 1 - 2 * S2 * S2;
-            // exp(k z): of a 64th of the exponent, squared six times; below exp(-40) nothing moves
-            const double q = now.k[n] * z * (1.0 / 64) + 0.625,  // its larger of q and -0.625, without a branch:
-                E1 = wave_small_exp(0.5 * (q + __builtin_fabs(q)) - 0.625), E2 = E1 * E1, E4 = E2 * E2, E8 = E4 * E4,
-                         E16 = E8 * E8, E32 = E16 * E16, E = E32 * E32;
+            double C, S, E;
+            wave_lane(now.k[n] * turns_per_k, now.k[n] * z, C, S, E);
             const double D = now.floor[n] / E;  // exp(-k (z + 2 d))
             along[l] += (E + D) * (now.c[n] * C - now.s[n] * S);
             up[l] += (E - D) * (now.c[n] * S + now.s[n] * C);

@@ -27,6 +27,8 @@ struct WaveSum {
     double eta[most] = {};    ///< [m]
 };
 
+constexpr double turns_per_radian = 0.159154943091895335769;
+
 /// exp(x) to rounding for |x| < 700, by its series after halving.
 inline double wave_exp(double x) {
     const bool below = x < 0;
@@ -57,9 +59,8 @@ inline void wave_circle(double turns, double& c, double& s) {
 }
 
 inline void wave_angle(const WaveSum& wave, double x, double y, double t, double& c, double& s) {
-    wave_circle(
-        (wave.k * (wave.direction * x + wave.across * y - wave.speed * t) + wave.phase) * 0.159154943091895335769, c,
-        s);
+    wave_circle((wave.k * (wave.direction * x + wave.across * y - wave.speed * t) + wave.phase) * turns_per_radian, c,
+                s);
 }
 
 /// eta at (x, y, t) [m].

@@ -46,6 +46,8 @@ void add_zones(const ZoneSource& source, Dictionary& sources);    ///< to the en
 std::vector<CaseFile> forcing_zones_files(const CasePlan& plan);  ///< none without zones
 /// constant/inletWave; none where no wave enters with the stream.
 std::vector<CaseFile> inlet_wave_files(const CasePlan& plan);
+/// Of the inlet's fraction or velocity: `of_regular` where a regular wave enters, that of sums where one does.
+std::string inlet_wave_type(const CasePlan& plan, const std::string& of_regular);
 std::vector<CaseFile> turbulence_fields(const CasePlan& plan);    ///< k, omega, nut; none in laminar flow
 
 std::string allrun_script(const CasePlan& plan, int ranks);

@@ -46,7 +46,7 @@ std::string alpha_water(const CasePlan& plan, const std::optional<Value>& inside
         if (p.open == Patch::Open::water_and_air) return still_water(plan.flavour);
         const Side side = p.side;
         if (side == Side::inlet)
-            return {{"type", Word(plan.inlet_wave ? "waveInletFraction" : "fixedValue")}, {"value", uniform(0.0)}};
+            return {{"type", Word(inlet_wave_type(plan, "waveInletFraction"))}, {"value", uniform(0.0)}};
         if (side == Side::outlet)  // keeps what arrives, within 0..1
             return {{"type", Word("variableHeightFlowRate")},
                     {"lowerBound", 0},
@@ -78,8 +78,7 @@ std::string velocity_field(const CasePlan& plan, const std::optional<Value>& of_
             return {{"type", Word("fixedValue")}, {"value", uniform(Vec3::Zero())}};
         if (p.open == Patch::Open::water_and_air)
             return {{"type", Word("pressureInletOutletVelocity")}, {"value", uniform(Vec3::Zero())}};
-        if (side == Side::inlet)
-            return {{"type", Word(plan.inlet_wave ? "waveInletVelocity" : "fixedValue")}, {"value", stream}};
+        if (side == Side::inlet) return {{"type", Word(inlet_wave_type(plan, "waveInletVelocity"))}, {"value", stream}};
         if (side == Side::outlet && tail && !tail->is_slow)  // no wave comes back from there: it leaves as it comes
             return {{"type", Word("inletOutlet")}, {"inletValue", uniform(Vec3::Zero())}, {"value", stream}};
         if (side == Side::outlet)  // Umean in v1912, UnMean later and at openfoam.org

@@ -8,17 +8,16 @@ namespace {
 
 bool is_oblique(const ZoneSource& source) { return source.wave && source.wave->across != 0; }
 
-/// Its zones know water at rest: they take frequencies as they are met, and heights that make with them the velocities
-/// that the waves have in their water.
-Dictionary numbers_of(const WaveComponents& sea) {
-    List k, omega, amplitude, phase;
+/// Zones know water at rest: they take frequencies as they are met, and heights that make with them the velocities that
+/// the waves have in their water.
+WaveComponents at_rest(WaveComponents sea) {
     for (int n = 0; n < sea.count; ++n) {
         const double met = sea.omega[n] + sea.direction * sea.k[n] * sea.stream;
-        k.push_back(sea.k[n]), omega.push_back(met), amplitude.push_back(sea.height[n] * (sea.omega[n] / met)),
-            phase.push_back(sea.phase[n]);
+        sea.height[n] *= sea.omega[n] / met;
+        sea.omega[n] = met;
     }
-    return {{"depth", sea.depth}, {"direction", sea.direction}, {"current", sea.current}, {"k", k},
-            {"omega", omega},     {"amplitude", amplitude},     {"phase", phase}};
+    sea.stream = 0;
+    return sea;
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ void add_zones(const ZoneSource& source, Dictionary& sources) {
                        {"velocity", Vec3(share * source.velocity)},
                        {"zones", zones}};
         if (source.wave) all.add("wave", numbers_of(*source.wave));
-        if (source.sea) all.add("sea", numbers_of(*source.sea));
+        if (source.sea) all.add("sea", numbers_of(at_rest(*source.sea)));
         sources.add(share == 1 ? "forcingZones" : "forcingZonesBehind", all);
     }
 }

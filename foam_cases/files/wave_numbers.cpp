@@ -13,4 +13,15 @@ Dictionary numbers_of(const WaveSum& wave) {
     return numbers;
 }
 
+Dictionary numbers_of(const WaveComponents& sea) {
+    List k, omega, amplitude, phase;
+    for (int n = 0; n < sea.count; ++n)
+        k.push_back(sea.k[n]), omega.push_back(sea.omega[n]), amplitude.push_back(sea.height[n]),
+            phase.push_back(sea.phase[n]);
+    Dictionary numbers{{"depth", sea.depth}, {"direction", sea.direction}, {"current", sea.current}, {"k", k},
+                       {"omega", omega},     {"amplitude", amplitude},     {"phase", phase}};
+    if (sea.stream != 0) numbers.add("stream", sea.stream);
+    return numbers;
+}
+
 }  // namespace tw

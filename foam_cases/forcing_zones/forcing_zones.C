@@ -26,7 +26,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "volFields.H"
-#include "wave_components.h"
 #include "wave_numbers.H"
 #ifdef OPENFOAM
 #include "fvOption.H"
@@ -74,20 +73,8 @@ class forcingZones : public Source {
             zone.makesWave = zones[i].found("makesWave") && (dict.found("wave") || dict.found("sea"));
         }
         isSea_ = dict.found("sea");
-        if (isSea_) takeSea(dict.subDict("sea"));
+        if (isSea_) sea_ = takeSea(dict.subDict("sea"));
         if (dict.found("wave")) wave_ = takeWave(dict.subDict("wave"));
-    }
-
-    void takeSea(const dictionary& dict) {
-        dict.lookup("depth") >> sea_.depth;
-        dict.lookup("direction") >> sea_.direction;
-        dict.lookup("current") >> sea_.current;
-        const scalarList k(dict.lookup("k")), omega(dict.lookup("omega")), amplitude(dict.lookup("amplitude")),
-            phase(dict.lookup("phase"));
-        sea_.count = min(min(k.size(), omega.size()), min(amplitude.size(), phase.size()));
-        sea_.count = min(sea_.count, int(tw::WaveComponents::most));
-        for (int n = 0; n < sea_.count; ++n)
-            sea_.k[n] = k[n], sea_.omega[n] = omega[n], sea_.height[n] = amplitude[n], sea_.phase[n] = phase[n];
     }
 
     /// [1/s], and whether the zone that has it makes the wave.

@@ -18,7 +18,7 @@ std::string reason_of(const EffectQuestion& q, bool by_default) {
     if (runs_obliquely(scene)) return "the wave is made and absorbed in zones at all four sides";
     if (scene.has_wave())
         return by_default ? "the wave is made in a zone at one end and absorbed in one at the other"
-                          : "the stream is faster than the wave, which enters with it; nothing runs upstream";
+                          : "the stream is faster than the waves, which enter with it; nothing runs upstream";
     if (scene.motion.kind != Motion::Kind::stream) return "the walls of a tank are meant to reflect waves";
     if (!(scene.water.gravity > 0) || !q.needed->on) return "without gravity there are no waves";
     if (by_default && tailwater(scene)) return "the water behind is held at the depth of [domain] downstream";

@@ -80,7 +80,8 @@ const std::vector<SectionRow>& scene_sections() {
         {"motion", false, "How hull and water move against each other."},
         {"wave", false,
          "A wave, regular or a sum of linear ones, in a tank or, as head or following waves, in a stream: a zone at "
-         "one end makes it, one at the other absorbs it; of oblique waves in a stream zones at all four sides do both. "
+         "one end makes it, one at the other absorbs it; of oblique waves in a stream zones at all four sides do both; "
+         "without zones head waves enter with a stream at least as fast as they are. "
          "A tank begins with the wave, a stream calm."},
         {"resolution", false, "Sizes of particles and cells."},
         {"domain", false, "Extent of what is solved, around the hull or, in a channel, by itself."},

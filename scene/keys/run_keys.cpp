@@ -124,11 +124,11 @@ Rows wave_keys() {
          .slot = slot(&Scene::wave_asked, &WaveOptions::crest), .fallback = "required with a focused wave",
          .meaning = "Crest of a focused wave by linear theory, the sum of its amplitudes.", .later = true},
         {.name = "focus_place", .unit = "m", .hashed = Hashed::scene,
-         .slot = slot(&Scene::wave_asked, &WaveOptions::focus_place), .fallback = "the middle between the zones",
+         .slot = slot(&Scene::wave_asked, &WaveOptions::focus_place), .fallback = "the middle between the zones, or of the box where the waves enter with a stream",
          .meaning = "Where a focused wave has its crest, along x.", .later = true},
         {.name = "focus_time", .unit = "s", .range = not_negative, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::focus_time),
-         .fallback = "4 peak periods; with solids in the tank also the way of the slowest waves from the zone that makes them",
+         .fallback = "4 peak periods; with solids in the tank also the way of the slowest waves from the zone that makes them; in a stream that way, or that from the inlet, and the start",
          .meaning = "When it has it.", .later = true},
     };
 }

@@ -158,20 +158,29 @@ void check_ends(const Scene& scene, Sections& s, const char* height, double back
                             wave.comes_from_low_x ? "leave through the inlet" : "come in through the outlet", back));
 }
 
+/// Of a stream that is too fast for zones: without them head waves enter with it.
+std::string how_to_let_in(const Scene& scene) {
+    const char* off = "forcing_zones = \"off\" in [effects]";
+    if (may_enter_with_stream(scene))
+        return fmt::format("; or {}: then the wave{} with the stream", off, scene.sea ? "s enter" : " enters");
+    if (!scene.sea || scene.sea->waves.direction < 0) return {};
+    return fmt::format(
+        "; or a stream of at least {:.4g} m/s and {}: the speed of the longest waves that count ({:g} % "
+        "of the energy is in longer ones), which then enter with it",
+        fastest_that_counts(scene), off, 100 * waves_that_count);
+}
+
 void check_fastest(const Scene& scene, Sections& s, const std::string& size, double length, double speed) {
     const double U = scene.motion.speed, most = fastest_stream_with_wave * speed;
     if (U <= most * (1 + 1e-9)) return;
     const double slower = U / fastest_stream_with_wave;  // deep water's length of that speed
-    s.wave.fail(size,
-                fmt::format("the wave{}, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
-                            "inlet, which holds level and speed, then spoils its height by a tenth: expected a "
-                            "stream of at most {:.4g} m/s, {:g} times the wave's speed, or a longer wave (in "
-                            "deep water of {:.3g} m){}",
-                            scene.sea ? " (the shortest that counts)" : "", length, speed, U, most,
-                            fastest_stream_with_wave, 2 * std::numbers::pi * slower * slower / scene.water.gravity,
-                            may_enter_with_stream(scene)
-                                ? "; or forcing_zones = \"off\" in [effects]: then the wave enters with the stream"
-                                : ""));
+    s.wave.fail(size, fmt::format("the wave{}, {:.4g} m long, runs at {:.4g} m/s and the stream at {:.4g} m/s; the "
+                                  "inlet, which holds level and speed, then spoils its height by a tenth: expected a "
+                                  "stream of at most {:.4g} m/s, {:g} times the wave's speed, or a longer wave (in "
+                                  "deep water of {:.3g} m){}",
+                                  scene.sea ? " (the shortest that counts)" : "", length, speed, U, most,
+                                  fastest_stream_with_wave,
+                                  2 * std::numbers::pi * slower * slower / scene.water.gravity, how_to_let_in(scene)));
 }
 
 /// Before the box is as large as its zones make it, which follow from the wave.
@@ -236,7 +245,8 @@ void check_stream_of_sea(const Scene& scene, Sections& s, const std::string& siz
     const Sea& sea = *scene.sea;
     const WaveComponents& waves = sea.waves;
     const int high = sea.component_at(1 - waves_that_count);
-    check_fastest(scene, s, size, sea.length(high), waves.omega[high] / waves.k[high]);
+    if (!enters_with_stream(scene, s))
+        check_fastest(scene, s, size, sea.length(high), waves.omega[high] / waves.k[high]);
     double all = 0, squares = 0;
     for (int n = 0; n < waves.count; ++n) {
         const double along = waves.height[n] * waves.omega[n] / std::tanh(waves.k[n] * waves.depth);
@@ -308,8 +318,9 @@ void order_spectrum(SeaOrder& order, const WaveOptions& asked, const SceneSectio
     }
 }
 
-/// Where and when, unless it is given: both follow from the zones, which follow from the spectrum in `scene.sea`.
-void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave) {
+/// Where and when, unless it is given: both follow from the zones, which follow from the spectrum in `scene.sea`, or from
+/// the inlet.
+void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave, bool enters) {
     WaveOptions& asked = scene.wave_asked;
     const WaveScales scales = wave_scales(scene);
     const Box& box = scene.domain.as_asked;  // the same at every resolution
@@ -328,17 +339,21 @@ void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave) {
                               "the zones, from {:.4g} to {:.4g} m",
                               asked.focus_place, low, high));
     const double from_zone = std::abs(asked.focus_place - (order.direction > 0 ? low : high)),
-                 way = stream                  ? making + from_zone
+                 way = enters                  ? from_zone
+                       : stream                ? making + from_zone
                        : begins_in_zone(scene) ? from_zone
                                                : 0,  // a stream begins calm
-        least = way / scales.slowest + (stream ? default_ramp(scene) : 0);
+        least = way / scales.slowest + (stream ? default_ramp(scene) : 0) + (enters ? time_to_grow_at_inlet(scene) : 0);
     if (!wave.has("focus_time")) asked.focus_time = 4 * scales.period + least;
     if (asked.focus_time < least)
         wave.fail(
             "focus_time",
-            fmt::format("{:.4g} s; the shortest waves that count take {:.4g} s from the zone that makes them to the "
-                        "focus, and {} they begin in that zone: expected at least that",
-                        asked.focus_time, least, stream ? "in a stream" : "with solids in the tank"));
+            enters ? fmt::format("{:.4g} s; the waves have grown at the inlet, and come from there to the focus, after "
+                                 "{:.4g} s: expected at least that",
+                                 asked.focus_time, least)
+                   : fmt::format("{:.4g} s; the shortest waves that count take {:.4g} s from the zone that makes them "
+                                 "to the focus, and {} they begin in that zone: expected at least that",
+                                 asked.focus_time, least, stream ? "in a stream" : "with solids in the tank"));
     const double latest = scene.sea->repeat_period - 2 * scales.period;
     if (asked.focus_time > latest)
         wave.fail(
@@ -368,7 +383,7 @@ void settle_sea(Scene& scene, Sections& s) {
     scene.sea = make_sea(order);
     in_stream(scene) ? check_stream_of_sea(scene, s, size) : check_tank(scene, s, size);
     if (order.kind != Sea::Kind::focused) return;
-    place_focus(order, scene, wave);
+    place_focus(order, scene, wave, enters_with_stream(scene, s));
     scene.sea = make_sea(order);
 }
 
@@ -438,13 +453,18 @@ void check_wave(const Scene& scene, Sections& s) {
     const WaveScales wave = wave_scales(scene);
     const bool enters = inlet_wave(scene).has_value();
     if (!scene.effect_on("forcing_zones") && !enters)
-        s.effects.fail("forcing_zones",
-                       fmt::format("the wave is made and absorbed by them; remove this key, or [wave]{}",
-                                   scene.motion.kind == Motion::Kind::stream && wave.direction > 0
-                                       ? fmt::format(" (without them regular waves enter with a stream of at least "
-                                                     "their own speed, {:.4g} m/s in the water)",
-                                                     wave.length / wave.period - scene.motion.speed)
-                                       : ""));
+        s.effects.fail(
+            "forcing_zones",
+            fmt::format("the wave is made and absorbed by them; remove this key, or [wave]{}",
+                        scene.motion.kind == Motion::Kind::stream && wave.direction > 0
+                            ? fmt::format(" (without them head waves enter with a stream of at least {}, "
+                                          "{:.4g} m/s in the water)",
+                                          scene.wave ? "their own speed"
+                                                     : fmt::format("the speed of the longest that count, "
+                                                                   "with {:g} % of the energy in longer ones",
+                                                                   100 * waves_that_count),
+                                          fastest_that_counts(scene))
+                            : ""));
     for (const char* effect : {"air", "dynamic_pressure"})
         if (scene.effect_on(effect))
             s.effects.fail(effect, "particles begin with it in water at rest only; switch it off, or remove [wave]");

@@ -91,14 +91,28 @@ std::string speed_text(const Scene& scene) {
             : " from behind");
 }
 
+/// Of a wave or waves that do: how and when; empty of others.
+std::string enters_text(const Scene& scene) {
+    const auto enters = inlet_wave(scene);
+    if (!enters) return {};
+    return fmt::format(
+        "  enters    with the stream, which is faster than {}, through the inlet; from {:.4g} s on, at {} full height "
+        "from {:.4g} s on\n",
+        scene.wave ? "it"
+                   : fmt::format("the longest that count, {:.4g} m/s in the water ({:g} % of the energy is in longer "
+                                 "ones)",
+                                 fastest_that_counts(scene), 100 * waves_that_count),
+        enters->begin, scene.wave ? "its" : "their", enters->begin + enters->ramp);
+}
+const char* where_it_runs(const Scene& scene) { return inlet_wave(scene) ? "in the box" : "between the zones"; }
+
 /// The regular wave: what it is by theory, how it is resolved, and what becomes of it on its way.
 std::string regular_wave_text(const Scene& scene) {
     const RegularWave& w = *scene.wave;
     const Resolution& r = scene.resolution;
     const bool linear = w.theory == RegularWave::Theory::linear;
     const double between = between_zones(scene);
-    const auto enters = inlet_wave(scene);
-    const char* where = enters ? "in the box" : "between the zones";
+    const char* where = where_it_runs(scene);
     std::string out = fmt::format(
         "wave        {:.4g} m high, {:.4g} m long, period {:.4g} s, towards {}; crest {:.4g} m, trough {:.4g} m\n"
         "  theory    {}: {}\n"
@@ -109,22 +123,18 @@ std::string regular_wave_text(const Scene& scene) {
         wave_regime(w.height, w.length, w.depth), w.height / w.length, w.k() * w.depth, depth_regime(w.length, w.depth),
         ursell_number(w.height, w.length, w.depth), 100 * w.height / highest_wave(w.length, w.depth),
         speed_text(scene));
-    if (enters)
-        out += fmt::format(
-            "  enters    with the stream, which is faster than it, through the inlet; from {:.4g} s on, at its full "
-            "height from {:.4g} s on\n",
-            enters->begin, enters->begin + enters->ramp);
-    out += fmt::format(
-        "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths {}\n"
-        "  run       {:.3g} periods",
-        w.height / r.near_hull, w.length / r.near_hull, between / w.length, where,
-        scene.run.duration / w.encounter_period());
+    out += enters_text(scene) +
+           fmt::format(
+               "  sizes     {:.3g} of near_hull in its height, {:.4g} in its length; {:.3g} wave lengths {}\n"
+               "  run       {:.3g} periods",
+               w.height / r.near_hull, w.length / r.near_hull, between / w.length, where,
+               scene.run.duration / w.encounter_period());
     if (particles_run(scene))
         out += fmt::format(
             "; artificial viscosity takes {:.2g} % of the particles' height in a wave length, {:.2g} % "
             "{}{}",
             100 * loss_by_artificial_viscosity(scene, w.length), 100 * loss_by_artificial_viscosity(scene, between),
-            where, enters ? "" : " (measured, of all causes: 2 to 4 % at eight particles in the height)");
+            where, inlet_wave(scene) ? "" : " (measured, of all causes: 2 to 4 % at eight particles in the height)");
     if (wants_wave_twin(scene))
         out += scene.hull ? "\n  twin      each size is run without the wave too: what drag, trim and rise are more in "
                             "waves is given"
@@ -187,6 +197,7 @@ std::string sea_text(const Scene& scene) {
     const WaveScales w = wave_scales(scene);
     const double depth = sea.depth(), between = between_zones(scene), size = scene.resolution.near_hull;
     const SecondOrderShare left = left_out_by_first_order(sea);
+    const char* where = where_it_runs(scene);
     std::string out = fmt::format("wave        {}, towards {}x\n", what_it_is(sea), w.direction > 0 ? "+" : "-");
     const int last = sea.waves.count - 1;
     out += fmt::format("  theory    sum of {} linear waves of {:.4g} to {:.4g} s", sea.waves.count,
@@ -204,6 +215,7 @@ std::string sea_text(const Scene& scene) {
             "count runs at {:.4g} m/s past the hull, from {}\n",
             scene.motion.speed, w.direction > 0 ? "head" : "following", w.period, w.slowest,
             w.comes_from_low_x ? "ahead" : "behind");
+    out += enters_text(scene);
     out += fmt::format(
         "  error     of first order: bound waves of second order have {:.2g} % of the significant height, "
         "{:.2g} % in the short and {:.2g} % in the long ones; they arise on the way, with free waves as "
@@ -223,14 +235,13 @@ std::string sea_text(const Scene& scene) {
         ursell_number(w.height, w.length, depth), 100 * w.height / highest_wave(w.length, depth));
     out += fmt::format(
         "  sizes     {:.3g} of near_hull in its height, {:.4g} in the length of {:.4g} m at the peak, {:.3g} "
-        "in {:.4g} m, the shortest that count; {:.3g} lengths at the peak between the zones\n"
+        "in {:.4g} m, the shortest that count; {:.3g} lengths at the peak {}\n"
         "  run       {:.3g} peak periods",
-        w.height / size, w.length / size, w.length, w.shortest / size, w.shortest, between / w.length,
+        w.height / size, w.length / size, w.length, w.shortest / size, w.shortest, between / w.length, where,
         scene.run.duration / w.period);
     if (particles_run(scene))
-        out +=
-            fmt::format("; artificial viscosity takes {:.2g} % of the particles' height at the peak between the zones",
-                        100 * loss_by_artificial_viscosity(scene, between));
+        out += fmt::format("; artificial viscosity takes {:.2g} % of the particles' height at the peak {}",
+                           100 * loss_by_artificial_viscosity(scene, between), where);
     return out + "\n";
 }
 

@@ -36,6 +36,7 @@ struct Enter {
         const std::size_t k = n + static_cast<std::size_t>(before[i]);
         on.copy(k, on, i);
         on.begin(k);
+        if (on.calm_height) on.calm_height[k] = on.calm_height[i];
         on.x[k] -= buffer, on.v[k] = 0, on.w[k] = 0;
         on.kind[k] = Kind::inlet, on.id[k] = next_id + before[i], gone[k] = 0;
     }

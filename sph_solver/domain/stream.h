@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "waves/wave_path.h"
 
@@ -26,10 +27,11 @@ struct Stream {
     /// A wave that enters with it: the inlet's particles move as the water under it, with its velocity and pressure
     /// (loops/inlet_wave.h).
     struct Wave {
-        WaveSum sum;
-        double bernoulli = 0, gravity = 0;  ///< [m2/s2], [m/s2]
-        double carried = 0;                 ///< mean velocity of the water that it carries along, over the depth [m/s]
-        double begin = 0, ramp = 0;         ///< of its height, as that of the stream [s]
+        std::variant<RegularInStream, SeaInStream> of = {};
+        double gravity = 0;          ///< [m/s2]
+        double begin = 0, ramp = 0;  ///< of its height, as that of the stream [s]
+
+        bool is_sum() const { return std::holds_alternative<SeaInStream>(of); }
 
         double share(double t) const { return t <= begin ? 0 : t >= begin + ramp ? 1 : smooth((t - begin) / ramp); }
     };

@@ -43,6 +43,7 @@
     field(std::int32_t,           wall_triangle,     unseen,      sorted, elastic_bodies) /* on which triangle of it */ \
     field(CarriedShare,           carried,           tensor,      sorted, control_volume)                               \
     field(Aired,                  aired,             unseen,      saved,  ventilation)                                  \
+    field(float,                  calm_height,       unseen,      saved,  sea_at_inlet) /* of the inlet's, without waves [m] */ \
     field(float,                  density_rate,      unseen,      sorted, coarser) /* last -rho div u [kg/m3/s] */
 // clang-format on
 

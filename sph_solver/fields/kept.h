@@ -19,7 +19,8 @@ enum class With : std::uint8_t {
     moving_bodies = 8,
     elastic_bodies = 16,
     control_volume = 32,
-    ventilation = 64
+    ventilation = 64,
+    sea_at_inlet = 128  ///< a sum of waves that enters with the stream
 };
 
 }  // namespace tw

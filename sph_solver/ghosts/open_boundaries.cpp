@@ -19,6 +19,7 @@ Crossed cross_open_boundaries(const Surroundings& around, double dp, Particles& 
             if (outcome != CrossOpenings::Outcome::enters) continue;
             crossed.entered.push_back(static_cast<std::int32_t>(i));
             p.add(p.x[i] - buffer, p.y[i], p.z[i], p.u[i], p.drho[i], ledger.next_id++, Kind::inlet);
+            if (p.has(With::sea_at_inlet)) p.calm_height.back() = p.calm_height[i];
             ++ledger.in;
         }
         gone.resize(p.size(), 0);

@@ -100,13 +100,16 @@ void Level::carry_inlet(const Schedule::Move& move) {
     const Stream& stream = *system_.around.stream;
     const double before = system_.time, after = before + dt;
     const StepView view = steps_->step_view(before);
-    view.each(view.n, CarryInlet{.p = view.p,
-                                 .kind = view.kind,
-                                 .wave = system_.wave_of_inlet(),
-                                 .before = stream.wave_at(before),
-                                 .middle = stream.wave_at(before + dt / 2),
-                                 .after = stream.wave_at(after),
-                                 .moved = drifted + drift});
+    const double moved = drifted + drift;
+    system_.with_wave_of_inlet([&]<class Wave>(const WaveOfInlet<Wave>& of) {
+        view.each(view.n, CarryInlet<Wave>{.p = view.p,
+                                           .kind = view.kind,
+                                           .of = of,
+                                           .before = stream.wave_at(before),
+                                           .middle = stream.wave_at(before + dt / 2),
+                                           .after = stream.wave_at(after),
+                                           .moved = moved});
+    });
 }
 
 /// The last resort at a wall: a particle so near that no pressure can stop it in time loses its velocity towards the

@@ -197,10 +197,12 @@ void LevelOnDevice::cross_faces() {
                                  stream->buffer, ledger.next_id},
                      n);
         if (level_.inlet_has_wave() && count > 0)
-            cuda::launch(
-                *device_,
-                EnterUnderWave{on.p.view(), level_.wave_of_inlet(), n, stream->wave_at(level_.time), stream->buffer},
-                static_cast<std::size_t>(count));
+            level_.with_wave_of_inlet([&]<class Wave>(const WaveOfInlet<Wave>& of) {
+                cuda::launch(*device_,
+                             EnterUnderWave<Wave>{on.p.view(), on.p.all().calm_height, of, n,
+                                                  stream->wave_at(level_.time), stream->buffer},
+                             static_cast<std::size_t>(count));
+            });
         ledger.in += count, ledger.next_id += count;
     }
     on.wide.resize(all), on.left.resize(all);

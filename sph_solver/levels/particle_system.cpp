@@ -1,5 +1,4 @@
 #include "sph_solver/levels/particle_system.h"
-#include "sph_solver/loops/inlet_wave.h"
 
 #include <algorithm>
 #include <bit>
@@ -54,6 +53,7 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
         if (walls.move()) particles.allocate(With::moving_bodies);
         if (walls.any_deformable()) particles.allocate(With::elastic_bodies);
     }
+    if (inlet_has_wave() && around.stream->wave->is_sum()) particles.allocate(With::sea_at_inlet);
     particles.reserve(fluid.places.size());
     for (std::size_t k = 0; k < fluid.places.size(); ++k) {
         const Vec3& p = fluid.places[k];
@@ -65,6 +65,7 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
         particles.add(p.x(), p.y(), p.z(),
                       static_cast<float>(stream_velocity(0) * (around.stream ? around.stream->share_at(p.x()) : 1)),
                       setup.state_equation.deviation_of_lattice(setup.rho0, depth_pressure), ledger.next_id++, kind);
+        if (particles.has(With::sea_at_inlet)) particles.calm_height.back() = static_cast<float>(p.z());
     }
     ledger.next_id = ranks().sum(ledger.next_id);  // the first rank has all
     for (std::size_t i = 0; i < fluid.velocity.size(); ++i) {
@@ -75,12 +76,6 @@ ParticleSystem::ParticleSystem(const Surroundings& surroundings, LevelSetup mate
     const Eigen::Vector3f u = around.frame->velocity_of_rest().cast<float>();
     for (std::size_t i = 0; i < particles.size(); ++i)
         particles.u[i] = u.x(), particles.v[i] = u.y(), particles.w[i] = u.z();
-}
-
-WaveOfInlet ParticleSystem::wave_of_inlet() const {
-    const Stream::Wave& wave = *around.stream->wave;
-    const double c0 = setup.state_equation.c0;
-    return {wave.sum, wave.bernoulli, wave.gravity, wave.carried, setup.rho0, 1 / (c0 * c0)};
 }
 
 WaterView ParticleSystem::water_view() const {

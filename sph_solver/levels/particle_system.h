@@ -25,6 +25,7 @@
 
 namespace tw {
 
+template <class Wave>
 struct WaveOfInlet;
 
 struct EffectOptions;
@@ -135,7 +136,17 @@ struct ParticleSystem {
         return of_water - dot(V3<double>{of_wall.x(), of_wall.y(), of_wall.z()}, n);
     }
     bool inlet_has_wave() const { return around.stream && around.stream->wave; }
-    WaveOfInlet wave_of_inlet() const;  ///< of a stream that has one
+    /// Calls `use` with the wave of an inlet that has one, as loops take it (loops/inlet_wave.h).
+    template <class Use>
+    void with_wave_of_inlet(const Use& use) const {
+        const double c0 = setup.state_equation.c0;
+        const Stream::Wave& wave = *around.stream->wave;
+        std::visit(
+            [&]<class Wave>(const Wave& of) {
+                use(WaveOfInlet<Wave>{of, wave.gravity, setup.rho0, 1 / (c0 * c0)});
+            },
+            wave.of);
+    }
     double stream_velocity(double t) const { return around.stream ? around.stream->velocity(t) : 0; }
     /// The larger of the fastest particle's speed and the stream's [m/s].
     double reference_speed() const { return std::max(extremes.speed, stream_velocity(time)); }

@@ -171,8 +171,10 @@ std::vector<std::int32_t> RankShare::cross_and_hold(double reach) {
     const auto [gone, entered] = cross_open_boundaries(level_.around, level_.setup.dp, p, level_.ledger);
     if (level_.inlet_has_wave()) {
         const Stream& stream = *level_.around.stream;
-        for_particles(entered.size(), EnterUnderWave{level_.state_view(), level_.wave_of_inlet(), n,
-                                                     stream.wave_at(level_.time), stream.buffer});
+        level_.with_wave_of_inlet([&, first = n]<class Wave>(const WaveOfInlet<Wave>& of) {
+            for_particles(entered.size(), EnterUnderWave<Wave>{level_.state_view(), p.view().calm_height, of, first,
+                                                               stream.wave_at(level_.time), stream.buffer});
+        });
     }
     std::vector<std::int32_t> index;
     for (std::size_t i = 0; i < p.size(); ++i)

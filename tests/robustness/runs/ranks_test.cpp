@@ -34,6 +34,16 @@ TEST_F(Ranks, AHullInAStreamHasTheSameBytes) {
                        {"--duration", "0.12s"});
 }
 
+TEST_F(Ranks, WavesThatEnterWithTheStreamHaveTheSameBytes) {
+    const ScratchFolder folder("ranks_waves");
+    const fs::path scene = folder.path() / "scene.toml";
+    // they begin when the stream has its speed, after 0.12 s
+    write_text_atomically(scene, text_of("small_planing.toml") +
+                                     "[wave]\nspectrum = \"jonswap\"\nsignificant_height = \"40 mm\"\npeak_period = "
+                                     "\"1.2 s\"\ncomponents = 12\n");
+    same_for_any_ranks(scene, folder.path(), {3}, {"--duration", "0.3s"});
+}
+
 TEST_F(Ranks, ABodyThatFallsIntoWaterHasTheSameBytes) {
     const ScratchFolder folder("ranks_body");
     // it touches the water after 0.05 s

@@ -1,6 +1,7 @@
 // A wave that enters with the stream: its numbers in the case, and the library that it needs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -48,6 +49,14 @@ std::string text_of(const CasePlan& plan, const std::string& path) {
     return {};
 }
 
+double number_in(std::string text, const std::string& name) {
+    std::ranges::replace(text, '\n', ' ');
+    double value = NAN;
+    const std::size_t at = text.find(" " + name + " ");
+    if (at != std::string::npos) std::istringstream(text.substr(at + name.size() + 1)) >> value;
+    return value;
+}
+
 TEST(InletWave, IsConditionsOfTheInletWithTheNumbersThatParticlesTake) {
     const Scene scene = channel();
     const Library library("ELF waveInletFraction");
@@ -57,12 +66,7 @@ TEST(InletWave, IsConditionsOfTheInletWithTheNumbersThatParticlesTake) {
     EXPECT_NE(text_of(plan, "0.orig/alpha.water").find("waveInletFraction"), std::string::npos);
     EXPECT_EQ(text_of(plan, "constant/fvOptions"), "") << "no zones";
     const std::string numbers = text_of(plan, "constant/inletWave");
-    const auto number = [&](const std::string& name) {
-        const std::size_t at = numbers.find(" " + name + " ");
-        double value = NAN;
-        std::istringstream(numbers.substr(at + name.size() + 1)) >> value;
-        return value;
-    };
+    const auto number = [&](const std::string& name) { return number_in(numbers, name); };
     EXPECT_NE(numbers.find("(3 0 0)"), std::string::npos) << numbers;
     const RegularWave& wave = *scene.wave;
     EXPECT_NEAR(number("speed"), wave.speed_in_water + 3, 1e-12) << numbers;
@@ -70,6 +74,34 @@ TEST(InletWave, IsConditionsOfTheInletWithTheNumbersThatParticlesTake) {
     EXPECT_NEAR(number("current"), 3, 1e-12);
     EXPECT_NE(numbers.find("begin           0.4;"), std::string::npos) << "the start-up of the stream";
     EXPECT_NE(numbers.find("ramp"), std::string::npos);
+}
+
+// Frequencies are those in the water, and the stream that carries the waves stands beside them.
+TEST(InletWave, OfASumHasItsComponentsAndTypesThatAnOlderLibraryDoesNotKnow) {
+    Scene scene = channel();
+    scene.wave.reset();
+    scene.sea = make_sea(
+        {.kind = Sea::Kind::bichromatic, .depth = 0.4, .stream = 3, .heights = {0.03, 0.02}, .periods = {0.8, 0.65}});
+    const Library library("ELF waveInletFraction waveInletFractionOfASea");
+    const CasePlan plan = plan_case(scene, installation(library.path));
+    EXPECT_NE(text_of(plan, "0.orig/U").find("waveInletVelocityOfASea"), std::string::npos);
+    EXPECT_NE(text_of(plan, "0.orig/alpha.water").find("waveInletFractionOfASea"), std::string::npos);
+    const std::string numbers = text_of(plan, "constant/inletWave");
+    const WaveComponents& waves = scene.sea->waves;
+    for (const auto& [name, values] : {std::pair{"k", waves.k}, {"omega", waves.omega}, {"amplitude", waves.height}}) {
+        std::istringstream list(numbers.substr(numbers.find(std::string(" ") + name + " ") + 1));
+        list.ignore(1000, '(');
+        for (int n = 0; n < 2; ++n) {
+            double value = NAN;
+            list >> value;
+            EXPECT_NEAR(value, values[n], 1e-12) << name << "\n" << numbers;
+        }
+    }
+    EXPECT_EQ(number_in(numbers, "stream"), 3) << numbers;
+    EXPECT_EQ(number_in(numbers, "begin"), 0.4);
+    EXPECT_NEAR(number_in(numbers, "ramp"), inlet_wave(scene)->ramp, 1e-12);
+    const Library older("ELF waveInletFraction");  // in its place
+    EXPECT_THROW(plan_case(scene, installation(older.path)), InputError);
 }
 
 // A slower stream has zones and the inlet of every stream.

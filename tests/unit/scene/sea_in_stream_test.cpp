@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "scene/box/forcing_zones.h"
+#include "scene/box/inlet_wave.h"
 #include "scene/box/tank_wave.h"
 #include "scene/new_record.h"
 #include "scene/summary/wave_text.h"
@@ -116,6 +117,60 @@ TEST(SeaInStream, IsMadeWhereItsEnergyComesFrom) {
     }
 }
 
+const std::string off = "[effects]\nforcing_zones = \"off\"\n", on = "[effects]\nforcing_zones = \"on\"\n";
+
+TEST(SeaInStream, EntersWithAStreamThatIsFasterThanTheLongestThatCounts) {
+    for (const std::string& wave : {jonswap, moskowitz, two, focused}) {
+        const Scene s = scene_of(stream(wave, 2.5));  // above the critical speed no wave stands
+        const auto enters = inlet_wave(s);
+        ASSERT_TRUE(enters) << wave;
+        const Sea& sea = *s.sea;
+        const int low = sea.component_at(waves_that_count);
+        EXPECT_EQ(enters->begin, s.motion.ramp);
+        EXPECT_NEAR(enters->ramp, 2 * pi / sea.met(low), 1e-12);  // no wave that counts grows faster
+        EXPECT_TRUE(forcing_zones(s).zones.empty());
+        EXPECT_EQ(s.domain.box.min.x(), s.domain.as_asked.min.x());
+        if (sea.kind != Sea::Kind::focused) {
+            EXPECT_GE(s.sampling.mean_from, enters->begin + enters->ramp + 4 / wave_scales(s).slowest);
+            EXPECT_NEAR(s.run.duration - s.sampling.mean_from, wave_scales(s).measured, 1e-9);
+        }
+        EXPECT_NE(wave_text(s).find("through the inlet"), std::string::npos) << wave_text(s);
+        EXPECT_EQ(wave_text(s).find("between the zones"), std::string::npos) << wave_text(s);
+    }
+    for (const Scene& s : {scene_of(stream(two, 1.6)), scene_of(stream(two, 1.6, on)), scene_of(stream(two, 0.6))})
+        EXPECT_FALSE(inlet_wave(s));
+}
+
+// Of a stream between the speeds of the longest that counts and of the longest of all.
+TEST(SeaInStream, EntersWithItsLongestWavesFasterThanTheStream) {
+    const std::string short_one = "spectrum = \"jonswap\"\nsignificant_height = 0.05\npeak_period = 0.9\n";
+    const Scene slow = scene_of(stream(short_one, 0.6));
+    const Sea& sea = *slow.sea;
+    const int low = sea.component_at(waves_that_count);
+    const double longest = sea.waves.omega[0] / sea.waves.k[0], counts = sea.waves.omega[low] / sea.waves.k[low];
+    EXPECT_GT(longest, 1.05 * counts);
+    EXPECT_TRUE(inlet_wave(scene_of(stream(short_one, 1.03 * counts, off))));
+    // below it zones would have to make them, which above 1.5 times the speed of the shortest they do not
+    for (const auto& [speed, part] :
+         {std::pair{0.95 * counts, "the speed of the longest waves that count (5 % of the energy is in longer ones)"},
+          {0.7 * counts,
+           "head waves enter with a stream of at least the speed of the longest that count, with 5 % of "
+           "the energy in longer ones"}}) {
+        const std::string said = complaint(stream(short_one, speed, off));
+        EXPECT_NE(said.find(part), std::string::npos) << said;
+    }
+}
+
+TEST(SeaInStream, FocusesAsSoonAsItHasGrownAndComeFromTheInlet) {
+    const Scene s = scene_of(stream(focused, 2.5));
+    const WaveScales wave = wave_scales(s);
+    const double least = s.motion.ramp + time_to_grow_at_inlet(s) + 2 / wave.slowest;  // 2 m from the inlet
+    EXPECT_NEAR(s.sea->focus_time, least + 4 * wave.period, 1e-9);
+    EXPECT_NEAR(wave_surface(s.sea->waves, 0, s.sea->focus_time), 0.04, 1e-9);
+    const std::string said = complaint(stream(focused + "focus_time = " + std::to_string(0.9 * least) + "\n", 2.5));
+    EXPECT_NE(said.find("have grown at the inlet"), std::string::npos) << said;
+}
+
 TEST(SeaInStream, TellsTheRecordWhatGaugesMeet) {
     const Scene s = scene_of(stream(two + follows, 0.4));
     const RunRecord record = new_record(s, "sph");
@@ -136,7 +191,7 @@ TEST(SeaInStream, RefusesWhatStandsStillOrIsTooFast) {
     };
     for (const std::string& wave : {jonswap, two, focused})
         refused(stream(wave + follows, 0.8), "hardly passes the hull or never comes");
-    refused(stream(jonswap, 2.5), "the shortest that counts");
+    refused(stream(jonswap, 2.5, on), "the shortest that counts");
     refused(stream(jonswap, 0.1), "under its troughs");
     refused(stream(two + follows, 0.1), "under its crests");
     refused(with(stream(jonswap, 0.6), "0.2]", "0.04]"), "expected a higher box");

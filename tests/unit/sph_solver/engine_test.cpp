@@ -18,6 +18,7 @@
 #include "sph_solver/simulation.h"
 #include "sph_solver/state/checkpoint.h"
 #include "waves/regular_wave.h"
+#include "waves/sea.h"
 
 namespace tw {
 namespace engine_test {
@@ -50,7 +51,14 @@ SimulationSetup stream(int threads = 1) {
 SimulationSetup stream_with_wave(int threads = 1) {
     SimulationSetup s = stream(threads);
     const RegularWave wave = regular_wave({.height = 0.2, .length = 4, .depth = 1, .closed = false, .stream = 4});
-    s.stream->wave = Stream::Wave{wave.sum, wave.bernoulli, wave.gravity, wave.transport, 0.02, 0.05};
+    s.stream->wave = Stream::Wave{in_stream(wave), wave.gravity, 0.02, 0.05};
+    return s;
+}
+/// And with a sum of waves.
+SimulationSetup stream_with_sea(int threads = 1) {
+    SimulationSetup s = stream(threads);
+    const Sea sea = make_sea({.depth = 1, .stream = 4, .height = 0.2, .peak_period = 1.2, .components = 12});
+    s.stream->wave = Stream::Wave{sea_in_stream(sea.waves), sea.gravity, 0.02, 0.05};
     return s;
 }
 Fluid stream_water(const SimulationSetup& s) {
@@ -100,21 +108,22 @@ TEST(Engine, AnyNumberOfThreadsGivesTheSameBits) {
 
 TEST(Engine, AWaveThatEntersGoesOnWithTheSameBitsAfterARestartAndWithAnyNumberOfThreads) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / "restart_wave_test.h5";
-    for (const SchemeCase& c : {every_scheme[1], every_scheme[3]}) {  // of one evaluation, and of stages
-        SCOPED_TRACE(c.evaluations);
-        const SimulationSetup s = with(stream_with_wave(), c);
-        Simulation whole(s, stream_water(s)), calm(with(stream(), c), stream_water(s));
-        for (int k = 0; k < 20; ++k) whole.step(), calm.step();
-        write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
-        whole.mark_restart_point();
-        Simulation resumed(with(stream_with_wave(3), c), stream_water(s));
-        Checkpoint saved = read_checkpoint(file, "a scene");
-        restore(resumed, saved);
-        for (int k = 0; k < 20; ++k) whole.step(), resumed.step(), calm.step();
-        EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
-        EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
-        EXPECT_FALSE(same_bits(whole.particles(), calm.particles()));
-    }
+    for (const auto waves : {stream_with_wave, stream_with_sea})
+        for (const SchemeCase& c : {every_scheme[1], every_scheme[3]}) {  // of one evaluation, and of stages
+            SCOPED_TRACE(c.evaluations);
+            const SimulationSetup s = with(waves(1), c);
+            Simulation whole(s, stream_water(s)), calm(with(stream(), c), stream_water(s));
+            for (int k = 0; k < 20; ++k) whole.step(), calm.step();
+            write_checkpoint(file, "a scene", checkpoint_of(whole, 1));
+            whole.mark_restart_point();
+            Simulation resumed(with(waves(3), c), stream_water(s));
+            Checkpoint saved = read_checkpoint(file, "a scene");
+            restore(resumed, saved);
+            for (int k = 0; k < 20; ++k) whole.step(), resumed.step(), calm.step();
+            EXPECT_TRUE(same_bits(whole.particles(), resumed.particles()));
+            EXPECT_EQ(whole.ledger().in, resumed.ledger().in);
+            EXPECT_FALSE(same_bits(whole.particles(), calm.particles()));
+        }
 }
 
 TEST(Engine, EachBodyHasItsOwnLoadAndTheirSumIsTheWhole) {

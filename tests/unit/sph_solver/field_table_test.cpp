@@ -72,7 +72,7 @@ TEST(FieldTable, BytesCountsEveryArray) {
               t.x.capacity() * 8 + t.found.capacity() * 4 + t.of_finer.capacity() * 8 + t.marks.capacity() * 4);
     Particles p;
     for (const With with : {With::coarser, With::finer, With::walls, With::moving_bodies, With::elastic_bodies,
-                            With::control_volume, With::ventilation})
+                            With::control_volume, With::ventilation, With::sea_at_inlet})
         p.allocate(with);
     p.add(1, 2, 3, 4, 5, 6, Kind::fluid);
     p.make_room(0);

@@ -12,6 +12,7 @@
 #include "sph_solver/measure/spray_gate.h"
 #include "sph_solver/state/checkpoint.h"
 #include "waves/regular_wave.h"
+#include "waves/sea.h"
 
 namespace tw {
 namespace on_device_test {
@@ -88,7 +89,14 @@ TEST_F(OnDevice, SoDoesAStreamWithInletOutletAndAirAlongItsWalls) {
 TEST_F(OnDevice, SoDoesAWaveThatEntersWithIt) {
     SimulationSetup s = stream();
     const RegularWave wave = regular_wave({.height = 0.2, .length = 4, .depth = 1, .closed = false, .stream = 4});
-    s.stream->wave = Stream::Wave{wave.sum, wave.bernoulli, wave.gravity, wave.transport, 0.02, 0.05};
+    s.stream->wave = Stream::Wave{in_stream(wave), wave.gravity, 0.02, 0.05};
+    expect_the_same_run(s, stream_water(s), 40);
+}
+
+TEST_F(OnDevice, SoDoesASumOfWavesThatEntersWithIt) {
+    SimulationSetup s = stream();
+    const Sea sea = make_sea({.depth = 1, .stream = 4, .height = 0.2, .peak_period = 1.2, .components = 12});
+    s.stream->wave = Stream::Wave{sea_in_stream(sea.waves), sea.gravity, 0.02, 0.05};
     expect_the_same_run(s, stream_water(s), 40);
 }
 

@@ -1,6 +1,7 @@
 // Waves that a stream carries, made by zones of the particle method, beside linear theory at gauges.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdio>
@@ -10,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "compare/metrics/regular_wave.h"
+#include "scene/box/forcing_zones.h"
 #include "sph_solver/run_sph.h"
 
 namespace tw {
@@ -54,6 +56,7 @@ Complex amplitude(const RunRecord& r, const char* gauge, double omega, double ti
         if (table.time[i] > table.time.back() - time) t.push_back(table.time[i]), x.push_back(levels[i]);
     return first_harmonic(t, x, omega);
 }
+const std::string no_zones = "[effects]\nforcing_zones = \"off\"\n";
 constexpr std::pair<const char*, double> gauges[] = {{"a", -0.2}, {"b", 0}, {"c", 0.15}};
 
 // At a speed of half of its energy's a following wave comes from behind, crest by crest against the stream, and is met less
@@ -103,8 +106,7 @@ TEST(WaveInStream, OfTwoPartsHasEachAtItsFrequencyOfEncounter) {
 
 // The stream is faster than the wave, which enters with it without any zone.
 TEST(WaveInStream, ThatEntersWithItHasItsHeightPeriodAndPhase) {
-    const auto [scene, record] =
-        run("enters", text(2, 4, "height = 0.05\nlength = 0.8\n") + "[effects]\nforcing_zones = \"off\"\n");
+    const auto [scene, record] = run("enters", text(2, 4, "height = 0.05\nlength = 0.8\n") + no_zones);
     ASSERT_EQ(record.state, "finished") << record.reason;
     const RegularWave& wave = *scene.wave;
     EXPECT_GT(2, 1.5 * wave.speed_in_water);
@@ -117,6 +119,48 @@ TEST(WaveInStream, ThatEntersWithItHasItsHeightPeriodAndPhase) {
         EXPECT_NEAR(std::abs(found), 1, 0.03) << gauge;
         EXPECT_NEAR(std::arg(found), 0, 0.1) << gauge;
     }
+}
+
+// As above, of two waves: each has its height and phase by the frequency at which the stream brings its crests.
+TEST(WaveInStream, OfTwoPartsThatEnterWithItHasEachAtItsFrequencyOfEncounter) {
+    const auto [scene, record] =
+        run("two_enter", text(2.5, 3.2,
+                              "spectrum = \"bichromatic\"\nheight = 0.03\nperiod = 0.8\nsecond_height = "
+                              "0.025\nsecond_period = 0.65\n") +
+                             no_zones);
+    ASSERT_EQ(record.state, "finished") << record.reason;
+    const Sea& sea = *scene.sea;
+    EXPECT_TRUE(forcing_zones(scene).zones.empty());
+    for (const auto& [gauge, x] : gauges)
+        for (int n = 0; n < 2; ++n) {
+            const Complex found = amplitude(record, gauge, sea.met(n), 3 * sea.repeat_period) /
+                                  (sea.waves.height[n] * std::polar(1.0, sea.waves.k[n] * x + sea.waves.phase[n]));
+            std::printf("%s: wave of %.2f s, met every %.3f s: amplitude %.3f of that asked for, phase %.1f degrees\n",
+                        gauge, 1 / sea.frequency(n), 2 * pi / sea.met(n), std::abs(found), std::arg(found) * 180 / pi);
+            EXPECT_NEAR(std::abs(found), 0.98, 0.05) << gauge << n;
+            EXPECT_NEAR(std::arg(found), 0, 0.12) << gauge << n;
+        }
+}
+
+TEST(WaveInStream, OfAGroupThatEntersWithItFocusesAtItsPlaceAndTime) {
+    const auto [scene, record] =
+        run("focus_enters", text(2.5, 2.4,
+                                 "spectrum = \"focused\"\ncrest = 0.02\npeak_period = 0.8\nfocus_place = 0\n"
+                                 "focus_time = 1.6\n") +
+                                no_zones);
+    ASSERT_EQ(record.state, "finished") << record.reason;
+    const Table& table = record.tables.at("height");
+    const std::vector<double>& level = table.find("b")->values;  // at x = 0
+    const auto top = static_cast<std::size_t>(std::ranges::max_element(level) - level.begin());
+    const Crest linear = highest_crest(*scene.sea, 0, 0.8, 2.4, false),
+                second = highest_crest(*scene.sea, 0, 0.8, 2.4, true);
+    std::printf("crest %.1f mm at %.3f s; by first and second order %.1f and %.1f mm at %.3f s\n", 1e3 * level[top],
+                table.time[top], 1e3 * linear.height, 1e3 * second.height, linear.time);
+    EXPECT_GT(level[top], 0.93 * linear.height);
+    EXPECT_LT(level[top], 1.12 * second.height);  // without bound waves the level is k a^2/2 higher under the group
+    EXPECT_NEAR(table.time[top], linear.time, 0.021);  // a sample
+    for (std::size_t i = 0; i < level.size(); ++i)     // before and after it no crest is half as high
+        if (std::abs(table.time[i] - linear.time) > 0.6) { EXPECT_LT(level[i], 0.6 * linear.height) << table.time[i]; }
 }
 
 }  // namespace wave_in_stream_test

@@ -17,20 +17,19 @@ const RegularWave& wave() {
         regular_wave({.height = 0.06, .length = 1, .depth = 0.4, .closed = false, .stream = U});
     return w;
 }
-double carried() { return wave().transport / wave().depth; }
 
 struct Place {
     double x, z;
 };
 Place behind(Place at, double t, double way) {
-    go_behind(wave().sum, {t, 1, U}, carried(), way, at.x, at.z);
+    go_behind(in_stream(wave()), {t, 1, U}, way, at.x, at.z);
     return at;
 }
 Place later(Place at, double t, double time) {
     constexpr int steps = 40;
     const double dt = time / steps;
     for (int i = 0; i < steps; ++i, t += dt)
-        go_with_water(wave().sum, {t, 1, U}, {t + dt / 2, 1, U}, {t + dt, 1, U}, at.x, at.z);
+        go_with_water(in_stream(wave()), {t, 1, U}, {t + dt / 2, 1, U}, {t + dt, 1, U}, at.x, at.z);
     return at;
 }
 double surface(double x, double t) { return wave_surface(wave().sum, x, t); }
