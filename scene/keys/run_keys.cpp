@@ -128,7 +128,7 @@ Rows wave_keys() {
          .meaning = "Where a focused wave has its crest, along x.", .later = true},
         {.name = "focus_time", .unit = "s", .range = not_negative, .hashed = Hashed::scene,
          .slot = slot(&Scene::wave_asked, &WaveOptions::focus_time),
-         .fallback = "4 peak periods; with solids in the tank also the way of the slowest waves from the zone that makes them; in a stream that way, or that from the inlet, and the start",
+         .fallback = "4 peak periods; with solids in the tank also the way of the slowest waves through the zone that makes them and to the focus; in a stream that way, or that from the inlet, and the start",
          .meaning = "When it has it.", .later = true},
     };
 }

@@ -339,21 +339,22 @@ void place_focus(SeaOrder& order, Scene& scene, const SceneSection& wave, bool e
                               "the zones, from {:.4g} to {:.4g} m",
                               asked.focus_place, low, high));
     const double from_zone = std::abs(asked.focus_place - (order.direction > 0 ? low : high)),
-                 way = enters                  ? from_zone
-                       : stream                ? making + from_zone
-                       : begins_in_zone(scene) ? from_zone
-                                               : 0,  // a stream begins calm
-        least = way / scales.slowest + (stream ? default_ramp(scene) : 0) + (enters ? time_to_grow_at_inlet(scene) : 0);
+                 way = enters                            ? from_zone
+                       : stream || begins_in_zone(scene) ? making + from_zone  // the zone grows them over its width
+                                                         : 0,
+                 least = way / scales.slowest + (stream ? default_ramp(scene) : 0) +
+                         (enters ? time_to_grow_at_inlet(scene) : 0);
     if (!wave.has("focus_time")) asked.focus_time = 4 * scales.period + least;
     if (asked.focus_time < least)
         wave.fail(
             "focus_time",
-            enters ? fmt::format("{:.4g} s; the waves have grown at the inlet, and come from there to the focus, after "
-                                 "{:.4g} s: expected at least that",
-                                 asked.focus_time, least)
-                   : fmt::format("{:.4g} s; the shortest waves that count take {:.4g} s from the zone that makes them "
-                                 "to the focus, and {} they begin in that zone: expected at least that",
-                                 asked.focus_time, least, stream ? "in a stream" : "with solids in the tank"));
+            enters
+                ? fmt::format("{:.4g} s; the waves have grown at the inlet, and come from there to the focus, after "
+                              "{:.4g} s: expected at least that",
+                              asked.focus_time, least)
+                : fmt::format("{:.4g} s; the shortest waves that count take {:.4g} s through the zone that makes them "
+                              "and to the focus, and {} they begin in that zone: expected at least that",
+                              asked.focus_time, least, stream ? "in a stream" : "with solids in the tank"));
     const double latest = scene.sea->repeat_period - 2 * scales.period;
     if (asked.focus_time > latest)
         wave.fail(

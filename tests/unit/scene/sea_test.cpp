@@ -56,6 +56,18 @@ TEST(SeaOfScene, IsTheSameAtEverySizeAndOfItsSeed) {
     EXPECT_EQ(coarse.sea->focus_time, fine.sea->focus_time);
 }
 
+TEST(SeaOfScene, WithABodyComesToItsFocusThroughTheWholeZone) {
+    // it begins in the zone, whose share of the waves grows over its width
+    const std::string body = "[[body]]\nshape = \"cylinder\"\ndiameter = 0.2\ndraft = 0.1\ndensity = 500\n";
+    const Scene s = scene_of(tank(focused, body));
+    const WaveScales wave = wave_scales(s);
+    const double least = (s.sea->focus_place + 4) / wave.slowest;
+    EXPECT_NEAR(s.sea->focus_time, least + 4 * wave.period, 1e-9);
+    const auto at = [&](double time) { return tank(focused + "focus_time = " + std::to_string(time) + "\n", body); };
+    EXPECT_EQ(complaint(at(1.01 * least)), "");
+    EXPECT_NE(complaint(at(0.99 * least)).find("through the zone that makes them"), std::string::npos);
+}
+
 TEST(SeaOfScene, MovesWaterToItsSurfaceAndKeepsItsVolume) {
     for (const std::string& wave : {jonswap, two, focused}) {
         const Scene s = scene_of(tank(wave));
