@@ -44,7 +44,7 @@ std::vector<std::string> methods_of(const Scene& scene) {
 }
 
 /// When a file was written last; of one that is not there the clock's first moment.
-fs::file_time_type written(const fs::path& file) {
+fs::file_time_type last_written(const fs::path& file) {
     std::error_code none;
     const fs::file_time_type time = fs::last_write_time(file, none);
     return none ? fs::file_time_type::min() : time;
@@ -194,8 +194,8 @@ std::optional<int> run_shared(const PlannedRun& plan, const RunCommand& command,
     if (command.making.hand_over || command.coarser_members || methods_of(plan.scene).size() > 1) return {};
     const fs::path folder = out / sph_method, record = folder / "record.h5";
     refuse_taken(folder, sph_method, command);
-    return run_on_ranks(plan.scene.run.ranks, [&, before = written(record)] {
-        const bool anew = written(record) != before;
+    return run_on_ranks(plan.scene.run.ranks, [&, before = last_written(record)] {
+        const bool anew = last_written(record) != before;
         return (command.resume || anew) && is_finished({method_label(sph_method), sph_method, plan, folder});
     });
 }
