@@ -200,12 +200,13 @@ TEST_F(Command, ASweepOverWaveLengthsHasARunWithoutTheBodiesForEach) {
     write("box.toml",
           "[tank]\nmin = [-2, 0, -0.4]\nmax = [2, 0.02, 0.2]\n[domain]\ndimensions = 2\n[wave]\nheight = 0.06\n"
           "period = 0.8\n[[body]]\nname = \"box\"\nshape = \"box\"\nlength = 0.2\nbeam = 0.02\nheight = 0.1\n"
-          "position = [0, 0, -0.05]\ndensity = 500\n[resolution]\nnear_hull = 0.015\n[run]\nmethods = [\"sph\"]\n");
+          "draft = 0.05\ndensity = 500\n[resolution]\nnear_hull = 0.015\n[run]\nmethods = [\"sph\"]\n");
     const Outcome o =
         twinwake({"sweep", "box.toml", "--wave-lengths", "0.8 m", "1.1 m", "--twins", "none", "--emit", "snakemake"});
     ASSERT_EQ(o.status, 0) << o.err;
     std::string folders;
-    for (const auto& m : nlohmann::json::parse(content(folder_ / "runs/box_sweep/study/study.json"))["members"]) {
+    const auto study = nlohmann::json::parse(content(folder_ / "runs/box_sweep/study/study.json"));
+    for (const auto& m : study["members"]) {
         folders += m["folder"].get<std::string>() + " ";
         EXPECT_EQ(m["changes"]["wave_length"], folders.find("1.1") == folders.npos ? 0.8 : 1.1);
     }
