@@ -103,14 +103,14 @@ std::string drawn(const Members& members, const Axis& axis, const Quantity& q, c
 /// Names of the quantities that some member has, in the order in which the axis shows them.
 std::vector<std::string> shown_of(const Members& members, const Axis& axis) {
     std::vector<std::string> names;
-    for (const std::string name : axis.shown)
+    for (const std::string name : axis.shown) {
+        const bool beginning = name.find(':') != name.npos || name.ends_with('_');
         for (const SweepMember* m : members)
-            for (const Quantity& q : m->quantities) {
-                const bool beginning = name.find(':') != name.npos || name.ends_with('_');
+            for (const Quantity& q : m->quantities)
                 if ((beginning ? q.name.starts_with(name) : q.name == name) &&
                     std::ranges::find(names, q.name) == names.end())
                     names.push_back(q.name);
-            }
+    }
     return names;
 }
 
