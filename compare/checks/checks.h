@@ -76,7 +76,9 @@ struct Throughput {
     double unaccounted =
         0;  ///< particles that came or went otherwise since the start, at the worst; in books that balance 0
     double unaccounted_at = 0;  ///< [s]
-    double surplus = 0;         ///< inflow less outflow since the means began, over the inflow [-]
+    /// Inflow less outflow since the means began, over the inflow [-]; of waves over the last whole periods of encounter,
+    /// as in a box shorter than a wave the water swings with it. Nothing where no inflow or no whole period is recorded.
+    std::optional<double> surplus;
 };
 /// Nothing for other runs, and for one that takes water out as droplets.
 std::optional<Throughput> throughput(const RunRecord& record);

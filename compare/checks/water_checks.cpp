@@ -215,18 +215,22 @@ std::optional<Throughput> throughput(const RunRecord& record) {
     if (!count || !in || !out || !(number_of(record, "speed", 0) > 0)) return {};
     if (record.tables.contains(level_table(0)) || record.tables.contains(spray_table)) return {};
     const std::vector<double>& time = record.tables.at("samples").time;
-    const double from = number_of(record, "mean_from", 0);
     Throughput t;
-    std::optional<std::size_t> begin;
     for (std::size_t k = 0; k < time.size(); ++k) {
         const double by_openings = (in->values[k] - in->values[0]) - (out->values[k] - out->values[0]),
                      missing = std::abs(count->values[k] - count->values[0] - by_openings);
         if (missing > t.unaccounted) t.unaccounted = missing, t.unaccounted_at = time[k];
-        if (!begin && time[k] >= from) begin = k;
     }
-    if (!begin || !(in->values.back() > in->values[*begin])) return {};
-    const double inflow = in->values.back() - in->values[*begin], outflow = out->values.back() - out->values[*begin];
-    t.surplus = (inflow - outflow) / inflow;
+    double from = number_of(record, "mean_from", 0);
+    if (const double period = period_of_waves(record); period > 0) {
+        const WavePeriods periods = periods_of(time, from, period);
+        if (periods.count < 1) return t;
+        from = periods.from;
+    }
+    const auto since = [&](const Column* through) {
+        return through->values.back() - value_at(time, through->values, std::clamp(from, time.front(), time.back()));
+    };
+    if (const double inflow = since(in); inflow > 0) t.surplus = (inflow - since(out)) / inflow;
     return t;
 }
 
@@ -284,9 +288,11 @@ void add_water_checks(CheckList& list) {
     if (const auto openings = throughput(record)) {
         list.add("unexplained change of the number of particles", "-", openings->unaccounted, 0,
                  fmt::format("besides what the openings let in and out, at {:.4g} s", openings->unaccounted_at));
-        list.add("inflow less outflow", "% of the inflow", 100 * std::abs(openings->surplus), 1,
-                 fmt::format("since the means begin, {} comes in than leaves: the level drifts",
-                             openings->surplus > 0 ? "more" : "less"));
+        if (openings->surplus)
+            list.add("inflow less outflow", "% of the inflow", 100 * std::abs(*openings->surplus), 1,
+                     fmt::format("{}, {} comes in than leaves: the level drifts",
+                                 period_of_waves(record) > 0 ? "over the last whole waves" : "since the means begin",
+                                 *openings->surplus > 0 ? "more" : "less"));
     }
     if (const auto level = level_at_inlet(record); level && number_of(record, "depth", 0) > 0)
         list.add("level at the inlet", "% of the depth", 100 * std::abs(level->value) / number_of(record, "depth", 0),

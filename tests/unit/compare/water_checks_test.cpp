@@ -204,6 +204,30 @@ TEST(WaterKept, AStreamThatTakesInMoreThanItLetsOutFailsACheck) {
     EXPECT_NEAR(filling(2)->value, 2, 1e-9);
 }
 
+/// Two particles a hundredth of a second come in, as many leave with waves of 0.8 s but for a share `kept`; 900 are there.
+RunRecord particles_with_waves(double kept, double until) {
+    std::vector<double> count, in, out;
+    for (double t = 0.1; t < until + 0.05; t += 0.1) {
+        in.push_back(200 * t), out.push_back(200 * t * (1 - kept) - 40 * std::sin(2 * pi * t / 0.8));
+        count.push_back(900 + (in.back() - in[0]) - (out.back() - out[0]));
+    }
+    RunRecord r = stream_of_particles(count, in, out);
+    r.numbers["wave_period"] = 0.8;
+    return r;
+}
+
+TEST(WaterKept, WhatSwingsThroughTheOpeningsWithTheWavesDoesNotDrift) {
+    const char* const name = "inflow less outflow";
+    for (const double until : {1.0, 1.3, 7.9, 8.2}) {
+        const auto swings = gate(particles_with_waves(0, until), name);
+        ASSERT_TRUE(swings) << until;
+        EXPECT_TRUE(swings->pass) << until << " s: " << swings->value;
+        EXPECT_FALSE(gate(particles_with_waves(0.02, until), name)->pass) << until;
+    }
+    EXPECT_FALSE(gate(particles_with_waves(0, 0.8), name))
+        << "of less than a period since the means begin nothing is known";
+}
+
 TEST(WaterKept, TheLevelIsThatBehindTheZoneAtTheInlet) {
     RunRecord r = stream({1000, 1000}, 0.05);
     r.numbers["domain_x_min"] -= 1;
