@@ -22,6 +22,7 @@ RegularWave linear_wave(const WaveOrder& order, double length) {
     w.crest = a;
     w.trough = -a;
     w.speed_in_water = omega / k;
+    w.transport = a * a * omega / (2 * std::tanh(k * order.depth));  // between trough and crest, to second order
     w.bernoulli = w.speed_in_water * w.speed_in_water / 2;
     w.sum.terms = 1;
     w.sum.eta[0] = a;
