@@ -163,6 +163,7 @@ void Campaign::ahead(Study study, const std::vector<CampaignRun>& runs) {
 
 int hand_over(const Making& making, Study study, Campaign& campaign, const std::vector<CampaignRun>& runs,
               const Common& common) {
+    if (runs.empty()) throw InputError(study.out.string() + ": none of its scenes can be run; each says why above");
     for (const CampaignRun& run : campaign.to_make(runs)) study.members.push_back(member_of(run));
     return making.hand_over(std::move(study), common);
 }

@@ -211,6 +211,9 @@ TEST_F(Command, ASweepOverWaveLengthsHasARunWithoutTheBodiesForEach) {
         EXPECT_EQ(m["changes"]["wave_length"], folders.find("1.1") == folders.npos ? 0.8 : 1.1);
     }
     const std::string at = "runs/box_sweep/waves-of-";
+    const Outcome none = twinwake({"sweep", "box.toml", "--wave-lengths", "9 m", "--emit", "snakemake"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("none of its scenes can be run"), std::string::npos) << none.err;
     EXPECT_EQ(folders, at + "0.8-m/without_bodies/sph " + at + "0.8-m/sph " + at + "1.1-m/without_bodies/sph " + at +
                            "1.1-m/sph ");
 }
