@@ -8,6 +8,7 @@
 #include "scene/box/inlet_wave.h"
 #include "scene/box/oblique_wave.h"
 #include "scene/box/tank_wave.h"
+#include "scene/mesh/mesh_cells.h"
 #include "scene/water/capillary.h"
 #include "scene/water/quiet_layer.h"
 #include "scene/water/struck_plate.h"
@@ -212,7 +213,9 @@ double courant_of_entering_wave(const Scene& scene) {
 
 double default_courant(const Scene& scene) {
     // Implicit Euler flattens a wave by its steps: from 0.05 to 0.15 keep it (Larsen, Fuhrman & Roenby, Coastal Eng. J.
-    // 61 (2019) 18).
+    // 61 (2019) 18). Beside a body that moves in two dimensions cells are smaller than those of the wave, whose steps stay
+    // what they are without it.
+    if (scene.has_wave() && !scene.bodies.empty()) return 0.15 * scene.resolution.near_hull / finest_cell(scene);
     if (scene.has_wave()) return inlet_wave(scene) ? courant_of_entering_wave(scene) : 0.15;
     // Measured: forces of a hull in a steady stream are the same at 4 as at 1; a splash is not.
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;

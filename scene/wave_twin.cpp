@@ -9,6 +9,7 @@
 #include "record/wave_twin.h"
 #include "scene/box/oblique_wave.h"
 #include "scene/hash.h"
+#include "scene/mesh/mesh_cells.h"
 
 namespace tw {
 namespace {
@@ -32,7 +33,9 @@ void put_gauge(Scene& scene, const std::string& name, const Vec3& place) {
     scene.sampling.height.push_back(std::move(gauge));
 }
 
+/// Its steps are those of the run with the solids, beside which there may be smaller cells.
 void leave_solids_out(Scene& scene) {
+    const double cell = finest_cell(scene);
     if (!has_responses(scene)) {
         for (const Obstacle& obstacle : scene.obstacles) {
             const Box bounds = obstacle.surface.bounds();
@@ -43,6 +46,8 @@ void leave_solids_out(Scene& scene) {
     for (const MovingBody& body : scene.bodies)
         if (body.free_and_rigid()) put_gauge(scene, body.name, body.motion.mass.centre);
     scene.bodies.clear();
+    for (double* courant : {&scene.fvm.max_courant, &scene.fvm.max_alpha_courant})
+        *courant *= cell / finest_cell(scene);
 }
 
 /// The sides stay walls, as the wave made them, or zones, as an oblique one did.
