@@ -43,7 +43,7 @@ build() {  # $1 from the folder $2, linked to $3 too
     cp "$source_folder/$2"/*.[CH] "$source_folder"/../waves/wave_{sum,components}.h "$folder"
     # wmake knows the release's compiler, its flags and, for openfoam.com, its number (OPENFOAM).
     (cd "$folder" && printf '%s\n' *.C "LIB = $folder/$1") >"$folder/Make/files"
-    # shellcheck disable=SC2016   # make's variables
+    # shellcheck disable=SC2016,SC1003   # make's variables, and its lines that go on
     printf '%s\n' 'EXE_INC = -I$(LIB_SRC)/finiteVolume/lnInclude -I$(LIB_SRC)/meshTools/lnInclude \' \
         '-I$(LIB_SRC)/sixDoFRigidBodyMotion/lnInclude -I$(LIB_SRC)/rigidBodyMotion/sixDoFRigidBodyMotion/lnInclude \' \
         '-I$(LIB_SRC)/dynamicMesh/lnInclude -I$(LIB_SRC)/motionSolvers/lnInclude' \

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 #include "foam_test.h"
 #include "record/hull_motion.h"
@@ -118,12 +117,14 @@ TEST_F(FreeHullOnAMesh, StandsStillUntilItsReleaseAndThenMovesByTheForces) {
     EXPECT_EQ(r.attributes.at("hull_release"), "the hull is held until its release");
     const Table& motion = r.tables.at(hull_motion_table);
     std::size_t held = 0;
-    for (std::size_t i = 0; i < motion.time.size() && motion.time[i] <= release; ++i, ++held)
-        for (const char* column : {"z", "vz", "trim", "trim_rate"}) {
-            const bool place = std::string_view(column) == "z" || std::string_view(column) == "trim";
-            EXPECT_NEAR(of(motion, column)[i], place ? of(motion, column)[0] : 0, 1e-9)
-                << column << " at " << motion.time[i];
-        }
+    double moved = 0, fastest = 0;  // [m or degrees], [m/s or degrees/s]
+    for (; held < motion.time.size() && motion.time[held] <= release; ++held) {
+        for (const char* place : {"z", "trim"})
+            moved = std::max(moved, std::abs(of(motion, place)[held] - of(motion, place)[0]));
+        for (const char* speed : {"vz", "trim_rate"}) fastest = std::max(fastest, std::abs(of(motion, speed)[held]));
+    }
+    EXPECT_LT(moved, 1e-9);
+    EXPECT_LT(fastest, 1e-9);
     EXPECT_GT(held, 10u);
     EXPECT_NEAR(of(motion, "trim")[0], 5, 1e-6);
     const Gains g = gains_from(r, s, release);
