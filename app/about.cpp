@@ -51,8 +51,8 @@ const char* const about_openfoam =
     "                     program runs in OpenFOAM's environment; the run's folder has the same path there (--bind)\n"
     "  neither            Debian's package with the interFoam of twinwake setup-openfoam, then the usual "
     "places\n"
-    "Separation at walls (ventilation) and forcing zones need libraries; twinwake setup-openfoam builds them for the\n"
-    "release that is loaded.\n";
+    "Separation at walls (ventilation), forcing zones and a hull that is held until its release need libraries;\n"
+    "twinwake setup-openfoam builds them for the release that is loaded.\n";
 
 const char* const about_setup_openfoam =
     "The interFoam of Debian's and Ubuntu's package is miscompiled: velocities are wrong on meshes that are not\n"

@@ -93,6 +93,9 @@ struct CasePlan {
     /// Whether the record's table of forces counts the load on a solid: on the hull alone, or on all where there is
     /// none.
     bool counts_load_on(const Solid& solid) const { return solid.is_hull || !scene->hull; }
+    /// That holds a free hull until its release (foam_cases/held_body); empty: it is free at once, or there is none.
+    std::string hold_library;
+    std::string hull_release;  ///< what holds of it, for the record; empty without a free hull
     /// The only one, or the first of several.
     const MovingBody& moving() const { return bodies.at(0).body; }
     /// interFoam, or what stands for it in the flavour; interIsoFoam where the surface is captured geometrically.

@@ -110,7 +110,8 @@ std::vector<fs::path> project_folders(const std::string& preferred) {
     return out;
 }
 
-constexpr const char *walls_file = "libventilatedWall.so", *zones_file = "libforcingZones.so";
+constexpr const char *walls_file = "libventilatedWall.so", *zones_file = "libforcingZones.so",
+                     *hold_file = "libheldBody.so";
 
 /// Built by setup-openfoam for this release (tools/build_openfoam_walls.sh); empty: none.
 fs::path library_for(const OpenFoam& found, const char* file) {
@@ -124,6 +125,7 @@ fs::path library_for(const OpenFoam& found, const char* file) {
 void take_libraries(OpenFoam& found) {
     found.wall_library = library_for(found, walls_file);
     found.zone_library = library_for(found, zones_file);
+    found.hold_library = library_for(found, hold_file);
 }
 
 /// Built by setup-openfoam with the solver (tools/build_openfoam_solvers.sh); empty: none.
@@ -173,6 +175,7 @@ std::vector<OpenFoam> find_openfoam(const std::string& preferred) {
                 mended.verdict.clear();
                 mended.wall_library = library_beside(folder, walls_file);
                 mended.zone_library = library_beside(folder, zones_file);
+                mended.hold_library = library_beside(folder, hold_file);
                 add(mended);
             }
     for (OpenFoam& f : installed) {

@@ -5,8 +5,8 @@
 
 namespace tw {
 
-// Twinwake's own builds for OpenFOAM: a sound solver for Debian's and Ubuntu's package, and its libraries of walls and
-// zones. `twinwake setup-openfoam` makes them with the scripts of tools/.
+// Twinwake's own builds for OpenFOAM: a sound solver for Debian's and Ubuntu's package, and its libraries of walls,
+// zones and held hulls. `twinwake setup-openfoam` makes them with the scripts of tools/.
 
 /// Folders that may hold them, in the order in which they are looked at: the one above $TWINWAKE_OPENFOAM_BIN,
 /// .openfoam beside the program's folder (a checkout), the user's (~/.local/share/twinwake/openfoam), and the machine's

@@ -378,6 +378,21 @@ void take_zone_library(CasePlan& plan, const OpenFoam& openfoam) {
                                  openfoam.vendor, openfoam.version, openfoam.command(), remedy, instead));
 }
 
+/// Without the library, or a release, a hull is free at once.
+void take_hold_library(CasePlan& plan, const OpenFoam& openfoam) {
+    if (!plan.scene->hull_is_free()) return;
+    if (!(plan.moving().motion.release > 0)) {
+        plan.hull_release = "the hull is free at once: its release is the start";
+    } else if (openfoam.hold_library.empty()) {
+        plan.hull_release =
+            "the hull is free at once: this OpenFOAM lacks the library that holds it until its release (" +
+            setup_command() + " builds it)";
+    } else {
+        plan.hull_release = "the hull is held until its release";
+        plan.hold_library = openfoam.hold_library.string();
+    }
+}
+
 }  // namespace
 
 CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
@@ -397,6 +412,7 @@ CasePlan plan_case(const Scene& scene, const OpenFoam& openfoam) {
         plan.walls = "allow separation at ambient pressure where air can reach them",
         plan.wall_library = openfoam.wall_library.string();
     take_zone_library(plan, openfoam);
+    take_hold_library(plan, openfoam);
     return plan;
 }
 

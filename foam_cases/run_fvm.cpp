@@ -122,6 +122,7 @@ private:
         record_.numbers["cell_finest"] = plan_.finest_cell;
         if (!plan_.mesh_moves()) return;
         record_.attributes["mesh_motion"] = plan_.mesh_motion.sentence();
+        if (!plan_.hull_release.empty()) record_.attributes["hull_release"] = plan_.hull_release;
         record_.numbers["body_relaxation"] = plan_.relaxation;
         record_.numbers["outer_correctors"] = plan_.outer_correctors;
     }

@@ -8,18 +8,20 @@
 #
 #   twinwake setup-openfoam [solver ...]                  in the folder where twinwake looks by itself
 #   tools/build_openfoam_solvers.sh FOLDER [solver ...]   -> FOLDER/bin/interFoam, FOLDER/lib/libventilatedWall.so,
-#                                                            FOLDER/lib/libforcingZones.so
+#                                                            FOLDER/lib/libforcingZones.so,
+#                                                            FOLDER/lib/libheldBody.so
 #
 # Solvers: interFoam (always), interIsoFoam, potentialFoam. About 40 s per solver on two cores, 0.4 GB of disk while it
-# builds (JOBS=n sets the compiler processes). Two libraries are twinwake's own (10 s): walls that let water go where air
-# can come (foam_cases/ventilated_wall), and zones that absorb waves with an inlet at which waves enter
-# (foam_cases/forcing_zones). No system setting is touched, and no root right is needed. Does nothing when all is there,
-# the solvers start and belong to the installed package, and the libraries to their source. Needs: openfoam, dpkg-dev, g++,
-# make, flex, libopenmpi-dev, zlib1g-dev.
+# builds (JOBS=n sets the compiler processes). Three libraries are twinwake's own (15 s): walls that let water go where air
+# can come (foam_cases/ventilated_wall), zones that absorb waves with an inlet at which waves enter
+# (foam_cases/forcing_zones), and what holds a free hull until its release (foam_cases/held_body). No system setting is
+# touched, and no root right is needed. Does nothing when all is there, the solvers start and belong to the installed
+# package, and the libraries to their source. Needs: openfoam, dpkg-dev, g++, make, flex, libopenmpi-dev, zlib1g-dev.
 set -euo pipefail
 
 sources=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/foam_cases
-declare -A libraries_of=([ventilated_wall]=libventilatedWall.so [forcing_zones]=libforcingZones.so)
+declare -A libraries_of=([ventilated_wall]=libventilatedWall.so [forcing_zones]=libforcingZones.so
+                         [held_body]=libheldBody.so)
 die() { echo "build_openfoam_solvers: $*" >&2; exit 1; }
 [ $# -ge 1 ] && [[ $1 != -* ]] || { sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "$0"; exit 2; }
 work=$(realpath -m -- "$1"); shift
@@ -130,7 +132,9 @@ for name in $(missing_libraries); do
     g++ -std=c++11 -m64 -pthread -O2 -fPIC -shared -ftemplate-depth-100 $FOAM_EXTRA_CXXFLAGS -DOPENFOAM=1912 -DWM_DP \
         -DWM_LABEL_SIZE=$WM_LABEL_SIZE -DNoRepository -I"$src/src/finiteVolume/lnInclude" \
         -I"$src/src/OpenFOAM/lnInclude" -I"$src/src/OSspecific/POSIX/lnInclude" -I"$src/src/meshTools/lnInclude" \
-        -I"$sources/../waves" -o "$work/build/${libraries_of[$name]}" "$sources/$name"/*.C >>"$log" 2>&1 ||
+        -I"$src/src/sixDoFRigidBodyMotion/lnInclude" -I"$src/src/dynamicMesh/lnInclude" -I"$sources/../waves" \
+        -o "$work/build/${libraries_of[$name]}" "$sources/$name"/*.C \
+        -L"$FOAM_LIBBIN" -Wl,--as-needed -lsixDoFRigidBodyMotion >>"$log" 2>&1 ||
         die "$sources/$name did not build, see $log; interFoam runs without it, and \`twinwake doctor\` says what it then cannot do"
     mv "$work/build/${libraries_of[$name]}" "$work/lib/${libraries_of[$name]}"
     library_stamp "$name" >"$work/lib/$name.stamp"

@@ -127,7 +127,7 @@ std::string reproduce(const Comparison& c) {
 std::string mesh_motion_note(const Comparison& c) {
     std::string out;
     for (std::size_t i = 0; i < c.sources.size(); ++i)
-        for (const char* note : {"mesh_motion", "compliance", "one_way"})
+        for (const char* note : {"mesh_motion", "hull_release", "compliance", "one_way"})
             if (const std::string how = text_of(c.sources[i], note); !how.empty())
                 out += "<p class=\"note\">" + escaped(method_label(c.names[i]) + ": " + how + ".") + "</p>";
     return out;

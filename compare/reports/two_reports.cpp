@@ -22,9 +22,9 @@ namespace {
 constexpr std::size_t longest_text = 60;  ///< of an attribute in a table
 
 /// Attributes that say what was solved. All others are provenance.
-const std::set<std::string> attributes_of_scene = {"title",       "motion",     "hull_source", "symmetry_factor",
-                                                   "scene_hash",  "hull_hash",  "run_hash",    "family_hash",
-                                                   "time_scheme", "compliance", "mesh_motion", "equation_of_state"};
+const std::set<std::string> attributes_of_scene = {
+    "title",       "motion",      "hull_source", "symmetry_factor", "scene_hash",   "hull_hash",        "run_hash",
+    "family_hash", "time_scheme", "compliance",  "mesh_motion",     "hull_release", "equation_of_state"};
 /// Numbers that say what a run was expected to take; they differ whenever something else does.
 bool is_forecast(const std::string& name) { return name.starts_with("predicted_") || name.starts_with("bytes_per_"); }
 

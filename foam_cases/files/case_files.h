@@ -38,6 +38,8 @@ std::string velocity_field(const CasePlan& plan, const std::optional<Value>& ins
 std::string p_rgh(const CasePlan& plan);
 /// constant/dynamicMeshDict, 0.orig/pointDisplacement and the table of a prescribed motion; none where nothing moves.
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan);
+/// The rule of foam_cases/held_body: a body is at rest before `release` [s] and then moves by Newmark's.
+Dictionary held_newmark(double release, double gamma);
 /// constant/fvOptions and its table; none where the tank rests.
 std::vector<CaseFile> tank_motion_files(const CasePlan& plan);
 /// constant/fvOptions or fvModels with the source of foam_cases/forcing_zones alone.

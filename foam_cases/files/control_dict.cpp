@@ -218,7 +218,7 @@ std::string control_dict(const CasePlan& plan) {
     Dictionary d{{"application", Word(plan.solver_program())}};
     if (!plan.flavour.solver_arguments().empty()) d.add("solver", Word(plan.flavour.solver_arguments().back()));
     List libraries;
-    for (const std::string& library : {plan.wall_library, plan.zone_library})
+    for (const std::string& library : {plan.wall_library, plan.zone_library, plan.hold_library})
         if (!library.empty()) libraries.push_back(Quoted(library));
     if (!libraries.empty()) d.add("libs", libraries);
     d.add({{"startFrom", Word("latestTime")},

@@ -52,7 +52,8 @@ Dictionary free_body(const CasePlan& plan) {
     const RigidBodySetup& motion = plan.moving().motion;
     const double share = plan.solved_share();
     const BodyAxes own_axes = body_axes(motion);
-    const double rise = motion.free.along[2] ? first_rise(plan.moving(), *plan.scene) : 0;
+    const bool held = !plan.hold_library.empty();
+    const double rise = motion.free.along[2] && !held ? first_rise(plan.moving(), *plan.scene) : 0;
     const bool morphs = plan.mesh_motion.kind == Kind::morphing;
     const Box& box = plan.scene->domain.box;
     const double beyond = 100 * box.size().norm();
@@ -60,6 +61,9 @@ Dictionary free_body(const CasePlan& plan) {
     const double own = plan.scene->water.density * mass_properties(plan.moving().surface).volume;
     // Newmark leaves out the gyroscopic term; the explicit solver has it and is unstable for light bodies.
     const bool symplectic = tumbles && motion.mass.mass > 0.7 * own;
+    const Dictionary rule = symplectic ? Dictionary{{"type", Word("symplectic")}}
+                            : held     ? held_newmark(motion.release, plan.newmark_gamma)
+                                       : newmark(plan);
     Dictionary body{
         {"patches", List{Word(plan.bodies.front().patch)}},
         {"innerDistance", morphs ? plan.mesh_motion.inner : beyond},
@@ -74,7 +78,7 @@ Dictionary free_body(const CasePlan& plan) {
         {"report", true},
         {"accelerationRelaxation", symplectic ? 1.0 : plan.relaxation},
         {"accelerationDamping", 1},  // anything else scales gravity too
-        {"solver", symplectic ? Dictionary{{"type", Word("symplectic")}} : newmark(plan)},
+        {"solver", rule},
         {"constraints", constraints(motion.free)}};
     return plan.flavour.motion_solver("sixDoFRigidBodyMotion", "sixDoFRigidBodyMotion", body);
 }
@@ -152,6 +156,10 @@ std::string point_displacement(const CasePlan& plan) {
 }
 
 }  // namespace
+
+Dictionary held_newmark(double release, double gamma) {
+    return {{"type", Word("heldNewmark")}, {"release", release}, {"gamma", gamma}};
+}
 
 std::vector<CaseFile> mesh_motion_files(const CasePlan& plan) {
     if (!plan.mesh_moves()) return {};

@@ -93,7 +93,7 @@ Rows hull_keys() {
          .fallback = "a quarter of the hull's length",
          .meaning = "Radius of gyration in pitch, about the centre of gravity."},
         {.name = "release", .unit = "s", .range = not_negative, .hashed = Hashed::run, .fallback = "when the stream has its speed",
-         .meaning = "The particle method holds a free hull until this time; the mesh method, whose stream has its speed at once, does not."},
+         .meaning = "A free hull is held until this time; in the mesh method, whose stream has its speed at once, where the library for it is built."},
     };
     rows.insert(rows.end(), own.begin(), own.end());
     return rows;

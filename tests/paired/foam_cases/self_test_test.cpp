@@ -31,6 +31,20 @@ TEST_F(SelfTest, AZoneDrawsTheFlowAsImplicitEulerStepsSayOrItsLibraryIsLeftOut) 
     EXPECT_EQ(used.wall_library, walls);
 }
 
+// The pipe's sides then begin to move across it: unless they are held they take the water along.
+TEST_F(SelfTest, APipeThatBeginsToMoveIsHeldOrTheLibraryIsLeftOut) {
+    OpenFoam used = sound_openfoam();
+    if (used.hold_library.empty()) GTEST_SKIP() << "no library that holds hulls: twinwake setup-openfoam builds it";
+    EXPECT_LT(used.self_test_error, 1e-5);
+    EXPECT_NE(used.verdict.find("a free hull is held"), std::string::npos) << used.verdict;
+    const fs::path zones = used.zone_library;
+    used.hold_library = zones;  // loads, and holds nothing
+    self_test(used);
+    EXPECT_TRUE(used.sound) << used.verdict;
+    EXPECT_TRUE(used.hold_library.empty());
+    EXPECT_EQ(used.zone_library, zones);
+}
+
 /// Debian's OpenFOAM 1912 is the faulty one that this test was made for. Without it the test cannot show that it can
 /// fail.
 class PackagedSolver : public FoamTest {

@@ -165,11 +165,17 @@ TEST(CaseFiles, OnlyAHullHeldInAStreamIsSolvedWithSettingsThatCostLess) {
     }
 }
 
-TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
+/// The planing hull, free in heave and pitch.
+Scene free_hull_scene() {
     Scene scene = planing_scene();
     FreeHull& free = scene.hull->free.emplace();
     free.motion.mass = {300, Vec3(2.4, 0, 0.2), 300 * Eigen::Matrix3d::Identity()};
     free.motion.free = {{false, false, true}, {false, true, false}};
+    return scene;
+}
+
+TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
+    const Scene scene = free_hull_scene();
     const CasePlan plan = plan_case(scene, v1912);
     EXPECT_EQ(plan.bodies.at(0).patch, "hull");
     EXPECT_EQ(plan.solids.size(), 1u) << "the hull itself, no body beside it";
@@ -186,6 +192,33 @@ TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
     EXPECT_SAYS(control_dict(plan), "bodyState");
     EXPECT_SILENT(control_dict(plan), "forces_hull");  // its forces are recorded as the hull's
     EXPECT_TRUE(mesh_motion_files(plan_case(planing_scene(), v1912)).empty());
+}
+
+TEST(CaseFiles, AFreeHullIsHeldUntilItsReleaseWhereTheInstallationHasTheLibraryForIt) {
+    Scene scene = free_hull_scene();
+    scene.water.gravity = 9.81;
+    RigidBodySetup& motion = scene.hull->free->motion;
+    motion.release = 0.25;
+    OpenFoam openfoam;
+    openfoam.vendor = "openfoam.com", openfoam.version = "v1912";
+    openfoam.hold_library = "/some where/libheldBody.so";
+    const CasePlan held = plan_case(scene, openfoam);
+    EXPECT_SAYS(mesh_motion_files(held)[0].text, "solver { type heldNewmark; release 0.25; gamma 0.5; }");
+    EXPECT_SAYS(mesh_motion_files(held)[0].text, "acceleration (0 0 0);");
+    EXPECT_SAYS(control_dict(held), "libs (\"/some where/libheldBody.so\");");
+    EXPECT_EQ(held.hull_release, "the hull is held until its release");
+
+    const auto is_free = [](const CasePlan& plan, const std::string& why) {
+        EXPECT_SAYS(mesh_motion_files(plan)[0].text, "solver { type Newmark; gamma 0.5; }");
+        EXPECT_SAYS(mesh_motion_files(plan)[0].text, "acceleration (0 0 -9.81);");
+        EXPECT_SILENT(control_dict(plan), "libheldBody");
+        EXPECT_NE(plan.hull_release.find("free at once: " + why), std::string::npos) << plan.hull_release;
+    };
+    motion.release = 0;
+    is_free(plan_case(scene, openfoam), "its release is the start");
+    motion.release = 0.25;
+    openfoam.hold_library.clear();
+    is_free(plan_case(scene, openfoam), "this OpenFOAM lacks the library");
 }
 
 // Both bodies hang on joints of their own, with their share of the mass and their first motion, in the order of joints.
@@ -271,6 +304,23 @@ TEST(CaseFiles, SeveralBodiesAreJointsOfOneSystem) {
     const std::string control = control_dict(plan);
     EXPECT_SAYS(control, "forces_crate");
     EXPECT_SILENT(control, "bodyState");
+}
+
+TEST(CaseFiles, ABodyInATankIsFreeAtOnce) {
+    Scene scene = dam_break_scene();
+    MovingBody& b = scene.bodies.emplace_back();
+    b.name = "crate";
+    b.surface = make_hull("box", {{"length", 0.05}, {"beam", 1}, {"height", 0.05}});
+    for (Vec3& p : b.surface.points) p += Vec3(0.4, 0, 0.2);
+    b.motion.mass = {1, Vec3(0.4, 0, 0.2), Eigen::Matrix3d::Identity()};
+    b.motion.free = {{false, false, true}, {false, false, false}};
+    b.motion.release = 0.05;
+    OpenFoam openfoam;
+    openfoam.vendor = "openfoam.com", openfoam.version = "v1912", openfoam.hold_library = "/lib/libheldBody.so";
+    const CasePlan plan = plan_case(scene, openfoam);
+    EXPECT_SAYS(mesh_motion_files(plan)[0].text, "type Newmark;");
+    EXPECT_SILENT(control_dict(plan), "libheldBody");
+    EXPECT_EQ(plan.hull_release, "");
 }
 
 // Steps that grow from the first on would lose a twelfth of the added mass.

@@ -132,6 +132,29 @@ TEST_F(InstallationTest, ALibraryOfZonesThatSpoilsTheAnswerIsLeftOutAndThatOfWal
         << found.verdict;
 }
 
+// Of three libraries only those that spoil the answer are left out.
+TEST_F(InstallationTest, ALibraryOfHeldHullsIsUsedUnlessItSpoilsTheAnswer) {
+    set("WM_PROJECT_DIR", release("v2506", "2506").string());
+    set("TWINWAKE_OPENFOAM_BIN", (folder / "own/bin").string());
+    const fs::path libraries = folder / "own/walls/openfoam.com-v2506", solver = bin_of("v2506") / "interFoam";
+    fs::create_directories(libraries);
+    for (const char* file : {"libventilatedWall.so", "libforcingZones.so", "libheldBody.so"})
+        std::ofstream(libraries / file) << "\n";
+    OpenFoam found = sound_openfoam();
+    EXPECT_EQ(found.hold_library, libraries / "libheldBody.so");
+    EXPECT_NE(found.verdict.find("a free hull is held until its release"), std::string::npos) << found.verdict;
+    const std::string answer = read_text(solver);
+    program(solver, "grep -q libheldBody system/controlDict && exit 1\n" + answer);
+    found = sound_openfoam();
+    EXPECT_TRUE(found.hold_library.empty());
+    EXPECT_FALSE(found.wall_library.empty() || found.zone_library.empty());
+    EXPECT_NE(found.verdict.find("a free hull is free at once"), std::string::npos) << found.verdict;
+    program(solver, "grep -q 'libventilatedWall\\|libforcingZones' system/controlDict && exit 1\n" + answer);
+    found = sound_openfoam();
+    EXPECT_TRUE(found.wall_library.empty() && found.zone_library.empty());
+    EXPECT_EQ(found.hold_library, libraries / "libheldBody.so");
+}
+
 // interFoam of openfoam.com asks for cAlpha, openfoam.org 13 stops where it finds one.
 TEST_F(InstallationTest, TheSelfTestHasTheCompressionWhereTheReleaseReadsIt) {
     const fs::path com = release("v2506", "2506"), org = release("13", "0");
