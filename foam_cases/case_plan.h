@@ -85,6 +85,9 @@ struct CasePlan {
     double relaxation = 1;            ///< of their accelerations, in each outer corrector [-]
     double newmark_gamma = 0.5;       ///< of the rule that moves them [-]; 1 damps what swings from step to step
     double release_factor = 1;        ///< on the scene's velocity at the release [-] (run/first_steps.h)
+    /// That holds a free hull until its release (foam_cases/held_body); empty: it is free at once, or there is none.
+    std::string hold_library;
+    std::string hull_release;         ///< what is said of it in the record; empty without a free hull
     int outer_correctors = 1;         ///< in which mesh, flow and bodies are solved once more in each step
     int pressure_correctors = 1;      ///< in each of them
     bool momentum_predictor = false;  ///< before them, where water is viscous (viscous_steps.h)
@@ -93,9 +96,6 @@ struct CasePlan {
     /// Whether the record's table of forces counts the load on a solid: on the hull alone, or on all where there is
     /// none.
     bool counts_load_on(const Solid& solid) const { return solid.is_hull || !scene->hull; }
-    /// That holds a free hull until its release (foam_cases/held_body); empty: it is free at once, or there is none.
-    std::string hold_library;
-    std::string hull_release;  ///< what holds of it, for the record; empty without a free hull
     /// The only one, or the first of several.
     const MovingBody& moving() const { return bodies.at(0).body; }
     /// interFoam, or what stands for it in the flavour; interIsoFoam where the surface is captured geometrically.

@@ -12,8 +12,7 @@ struct OpenFoam {
     std::filesystem::path bin;           ///< of blockMesh, snappyHexMesh, ...
     std::filesystem::path wall_library;  ///< of walls that let water go (foam_cases/ventilated_wall); empty: none
     std::filesystem::path zone_library;  ///< of zones that absorb waves (foam_cases/forcing_zones); empty: none
-    std::filesystem::path
-        hold_library;  ///< that holds a free hull until its release (foam_cases/held_body); empty: none
+    std::filesystem::path hold_library;  ///< that holds a hull until its release (foam_cases/held_body); empty: none
     std::vector<std::string> prefix;     ///< before each program ($TWINWAKE_OPENFOAM_PREFIX): a container's command
     std::string version, vendor;         ///< "v1912", "openfoam.com"
     bool loaded = false;                 ///< its environment is the caller's: WM_PROJECT_DIR
