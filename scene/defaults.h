@@ -55,8 +55,6 @@ void fill_times(Scene& scene);
 RasterSpec default_raster(const Scene& scene, double spacing);
 double voxels(const RasterSpec& raster);  ///< how many
 inline constexpr double most_voxels = 1e9;
-/// Largest Courant number of the FVM run.
-double default_courant(const Scene& scene);
 /// Pressure correctors of its steps.
 int default_correctors(const Scene& scene);
 /// Whether the loads of the FVM run become steady, because a stream passes a hull that is held: it then needs less than

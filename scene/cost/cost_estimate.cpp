@@ -10,6 +10,7 @@
 #include "scene/defaults.h"
 #include "scene/effects/registry.h"
 #include "scene/elastic/tyre_steps.h"
+#include "scene/mesh/courant_number.h"
 #include "scene/mesh/edge_refinement.h"
 #include "scene/mesh/mesh_cells.h"
 #include "scene/particles/cores_of_particles.h"

@@ -9,6 +9,7 @@
 #include "scene/defaults.h"
 #include "scene/effects/plan.h"
 #include "scene/hash.h"
+#include "scene/mesh/courant_number.h"
 #include "scene/particles/particle_levels.h"
 #include "scene/read/check_scene.h"
 #include "scene/read/domain.h"
