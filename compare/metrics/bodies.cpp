@@ -186,17 +186,23 @@ Quantity& add_body_number(Comparison& comparison, const BodyInAll& body, const c
     return comparison.quantities.back();
 }
 
-/// How far and how fast it has come down, and how far the sources' histories are apart.
+/// How far and how fast it has come down, and how far the sources' histories are apart. In waves they have no verdict:
+/// they tell at which moment of a period the runs end.
 void add_path(Comparison& comparison, const BodyInAll& body) {
     const std::vector<BodyHistory>& histories = body.histories;
+    const bool in_waves = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
+        return std::max(number_of(r, "wave_period", 0), number_of(r, "sea_peak_period", 0)) > 0;
+    });
     const std::string at = fmt::format("{} at {:.4g} s", body.name, body.end);
     Quantity& depth =
         add_body_number(comparison, body, "depth", "Way down of " + at, "m", "how far its centre of mass has come down",
                         [](const BodyHistory& h) { return start_of(h, "z") - h.at_end("z"); });
     depth.remark = of_every_pair(
         comparison.names, [&](std::size_t a, std::size_t b) { return rms_of_depths(histories[a], histories[b]); });
+    depth.judged_in_grid_study = !in_waves;
     Quantity& speed = add_body_number(comparison, body, "speed", "Velocity downward of " + at, "m/s",
                                       "of its centre of mass", [](const BodyHistory& h) { return -h.at_end("vz"); });
+    speed.judged_in_grid_study = !in_waves;
     speed.remark = of_every_pair(comparison.names, [&](std::size_t a, std::size_t b) {
         const BodyHistory &A = histories[a], &B = histories[b];
         if (!A.has("vz") || !B.has("vz")) return std::string();

@@ -47,6 +47,18 @@ TEST(Bodies, AreMeasuredByDepthSpeedPeakArrivalAndImpulse) {
     EXPECT_TRUE(c.find("body_depth:ball")->judged_in_grid_study);
 }
 
+TEST(Bodies, InWavesWhereTheyAreAtTheEndHasNoVerdict) {
+    for (const char* const period : {"wave_period", "sea_peak_period"}) {
+        RunRecord in_waves = falling("sph", 1e-3);
+        in_waves.numbers[period] = 1.2;
+        const Comparison c = compare_records({in_waves});
+        ASSERT_TRUE(c.find("body_depth:ball") && c.find("body_speed:ball"));
+        EXPECT_FALSE(c.find("body_depth:ball")->judged_in_grid_study);
+        EXPECT_FALSE(c.find("body_speed:ball")->judged_in_grid_study);
+        EXPECT_TRUE(c.find("body_peak:ball")->judged_in_grid_study);
+    }
+}
+
 TEST(Bodies, ThePeakIsAMeanOverTheTimeThatTheSceneSays) {
     RunRecord r = falling("sph", 1e-3);
     for (const double filter : {5e-3, 0.15}) {  // the force lasts for the last 0.1 s
