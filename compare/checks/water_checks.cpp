@@ -129,11 +129,6 @@ double no_water_leaves_until(const RunRecord& record) {
     return HUGE_VAL;
 }
 
-/// Of encounter; of a sea that of its peak; 0: there are no waves [s].
-double period_of_waves(const RunRecord& record) {
-    return std::max(number_of(record, "wave_period", 0), number_of(record, "sea_peak_period", 0));
-}
-
 /// Of the mass of water `m` [kg] at the times `t` [s], as change_of_water_in_box says it of waves.
 Departure change_between_periods(const RunRecord& record, std::vector<double> t, std::vector<double> m) {
     const WavePeriods periods = periods_of(t, t.front(), period_of_waves(record));

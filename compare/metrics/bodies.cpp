@@ -14,6 +14,7 @@
 #include "compare/metrics/probes.h"
 #include "compare/metrics/quantity.h"
 #include "compare/metrics/sound.h"
+#include "compare/metrics/wave_samples.h"
 #include "compare/verdict/judge.h"
 #include "methods/methods.h"
 #include "record/record_numbers.h"
@@ -190,9 +191,8 @@ Quantity& add_body_number(Comparison& comparison, const BodyInAll& body, const c
 /// they tell at which moment of a period the runs end.
 void add_path(Comparison& comparison, const BodyInAll& body) {
     const std::vector<BodyHistory>& histories = body.histories;
-    const bool in_waves = std::ranges::any_of(comparison.sources, [](const RunRecord& r) {
-        return std::max(number_of(r, "wave_period", 0), number_of(r, "sea_peak_period", 0)) > 0;
-    });
+    const bool in_waves =
+        std::ranges::any_of(comparison.sources, [](const RunRecord& r) { return period_of_waves(r) > 0; });
     const std::string at = fmt::format("{} at {:.4g} s", body.name, body.end);
     Quantity& depth =
         add_body_number(comparison, body, "depth", "Way down of " + at, "m", "how far its centre of mass has come down",

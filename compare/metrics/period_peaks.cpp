@@ -31,9 +31,8 @@ PeakTime peak_time(const Comparison& c) {
     double period = 0;
     for (const RunRecord& r : c.sources) {
         if (text_of(r, "sea") == "focused") return {};  // one event
-        const double regular = number_of(r, "wave_period", 0);
-        p.regular |= regular > 0;
-        period = std::max({period, regular, number_of(r, "sea_peak_period", 0)});
+        p.regular |= number_of(r, "wave_period", 0) > 0;
+        period = std::max(period, period_of_waves(r));
     }
     const CommonTime time = common_time(c, [](const std::string& table) {
         return table == "height" || table == "pressure" || table == "forces" || table == hull_motion_table ||

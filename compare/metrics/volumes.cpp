@@ -59,10 +59,8 @@ struct WaveTime {
 };
 WaveTime wave_time(const Comparison& comparison) {
     WaveTime w;
-    for (const RunRecord& r : comparison.sources) {
-        const double regular = number_of(r, "wave_period", 0);
-        w = {std::max({w.period, regular, number_of(r, "sea_peak_period", 0)}), w.regular || regular > 0};
-    }
+    for (const RunRecord& r : comparison.sources)
+        w = {std::max(w.period, period_of_waves(r)), w.regular || number_of(r, "wave_period", 0) > 0};
     return w;
 }
 

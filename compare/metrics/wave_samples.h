@@ -19,6 +19,11 @@ namespace tw {
 
 // The samples of waves, and the time over which they are judged.
 
+/// Of a regular wave, as it is met; of a sea that of its peak; 0: there are no waves [s].
+inline double period_of_waves(const RunRecord& record) {
+    return std::max(number_of(record, "wave_period", 0), number_of(record, "sea_peak_period", 0));
+}
+
 /// Known values of a series.
 struct WaveSamples {
     std::vector<double> t, x;  ///< [s], [unit of the series]
