@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -226,22 +226,21 @@ void flow_through_pipe(OpenFoam& candidate) {
 
 void self_test(OpenFoam& candidate) {
     constexpr std::array libraries{&OpenFoam::wall_library, &OpenFoam::zone_library, &OpenFoam::hold_library};
-    constexpr unsigned sets = 1u << libraries.size();
     const OpenFoam found = candidate;
-    // with as many of the libraries as possible: all, then all but one, ...
-    for (std::size_t without = 0; without <= libraries.size(); ++without)
-        for (unsigned left_out = 0; left_out < sets; ++left_out) {
-            if (static_cast<std::size_t>(std::popcount(left_out)) != without) continue;
-            bool is_new = true;
-            for (std::size_t i = 0; i < libraries.size(); ++i) {
-                const bool out = (left_out >> i & 1) != 0;
-                is_new = is_new && !(out && (found.*libraries[i]).empty());
-                candidate.*libraries[i] = out ? fs::path() : found.*libraries[i];
-            }
-            if (!is_new) continue;
-            flow_through_pipe(candidate);
-            if (candidate.sound) return;
-        }
+    flow_through_pipe(candidate);
+    const bool alone = std::ranges::all_of(libraries, [&](const auto library) { return (found.*library).empty(); });
+    if (candidate.sound || alone) return;
+    for (const auto library : libraries) candidate.*library = fs::path();
+    flow_through_pipe(candidate);
+    if (!candidate.sound) return;
+    // some library spoils the answer: each is used with which it stays right
+    for (const auto library : libraries) {
+        OpenFoam with = candidate;
+        with.*library = found.*library;
+        if ((with.*library).empty()) continue;
+        flow_through_pipe(with);
+        if (with.sound) candidate = with;
+    }
 }
 
 }  // namespace tw
