@@ -2,25 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/gap.h"
 #include "scene/mesh/step_limits.h"
+#include "scene/solids/added_mass.h"
 
 // Measured: docs/decisions/032-rigid-bodies.md.
 
 namespace tw {
-
-double added_mass(const MovingBody& body, const Scene& scene) {
-    const Box box = body.surface.bounds();
-    const Vec3 size = box.size();
-    const bool flat = scene.domain.dimensions == 2;
-    const double wide = flat ? size.x() : std::min(size.x(), size.y()), along = flat ? 1 : std::max(size.x(), size.y());
-    const double sides = box.max.z() < 0 ? 2 : 1;
-    const double plate = sides * std::numbers::pi / 8 * wide * wide * along,
-                 own = scene.hull ? 0 : mass_properties(body.surface).volume;
-    return scene.water.density * std::max(plate, own);
-}
 
 double first_rise(const MovingBody& body, const Scene& scene) {
     const double g = scene.water.gravity;

@@ -3,11 +3,6 @@
 
 namespace tw {
 
-/// Mass of the water that moves with a body [kg]: of a plate as long and wide as it is (pi/4 rho b^2 l; half of that
-/// where it lies in the surface), or its own volume, if larger; of a hull the plate alone, because most of its volume
-/// is dry.
-double added_mass(const MovingBody& body, const Scene& scene);
-
 /// Upward acceleration of a free body at its release from rest, by its weight, its buoyancy and its added mass [m/s2].
 double first_rise(const MovingBody& body, const Scene& scene);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "foam_cases/release.h"
+#include "scene/solids/added_mass.h"
 
 // Measured: docs/decisions/076-what-stops-and-steers-interfoam.md.
 
@@ -42,8 +42,7 @@ void plan_coupling(CasePlan& plan) {
     // Where the water's surface is moved once more with the velocities that answer it, both are implicit and a wave
     // loses pi omega dt of its height a period; where it goes first, nearly nothing (decision 032). A body that is not
     // light answers soon enough once a step.
-    const bool in_waves = (plan.scene->wave || plan.scene->sea) && !plan.stream;
-    if (in_waves && !plan.several_bodies() && plan.relaxation >= 0.6) plan.outer_correctors = 1;
+    if (plan.scene->has_wave() && !plan.several_bodies() && plan.relaxation >= 0.6) plan.outer_correctors = 1;
 }
 
 void plan_viscous_steps(CasePlan& plan) {

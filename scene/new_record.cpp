@@ -229,10 +229,15 @@ void note_waves(RunRecord& record, const Scene& scene) {
     }
     if (scene.sea) note_sea(record, scene);
     if (!scene.has_wave()) return;
+    const auto note_range = [&](const std::string& kind, const std::string& name, const Surface& surface) {
+        const Box at = surface.bounds();
+        record.numbers[kind + "_x_min_" + name] = at.min.x();
+        record.numbers[kind + "_x_max_" + name] = at.max.x();
+    };
+    for (const MovingBody& b : scene.bodies)
+        if (!b.motion.law) note_range("body", b.name, b.surface);
     for (const Obstacle& o : scene.obstacles) {
-        const Box at = o.surface.bounds();
-        record.numbers["obstacle_x_min_" + o.name] = at.min.x();
-        record.numbers["obstacle_x_max_" + o.name] = at.max.x();
+        note_range("obstacle", o.name, o.surface);
         if (const auto wall = sea_wall_of(scene, o)) {
             record.numbers["slope_crest_" + o.name] = wall->freeboard;
             record.numbers["slope_cot_" + o.name] = wall->cot_slope;

@@ -33,7 +33,8 @@ MeanValue transmission_in(const RunRecord& r, const GaugeSides& sides, const Wav
         if (std::isfinite(share)) shares.push_back(share);
     }
     if (shares.empty() && periods.count > 0)
-        return unknown_value("it takes two gauges before the obstacle, no half wave length apart, and one behind it");
+        return unknown_value(
+            "it takes two gauges before obstacle or body, no half wave length apart, and one behind it");
     return mean_over(shares, periods);
 }
 
@@ -41,12 +42,12 @@ MeanValue transmission_in(const RunRecord& r, const GaugeSides& sides, const Wav
 
 void add_wave_transmission(Comparison& comparison, const GaugeSides& sides, const WavePeriods& periods) {
     if (sides.behind.empty()) return;
-    Quantity q = new_quantity("wave_transmission", "Transmission of the wave", "%",
-                              sides.behind.size() > 1 ? "first harmonic that runs on behind the obstacle over that "
-                                                        "before it, each by least squares over its gauges"
-                                                      : "first harmonic at the gauge behind the obstacle, with what "
-                                                        "comes back there, over that which runs towards "
-                                                        "the obstacle");
+    Quantity q =
+        new_quantity("wave_transmission", "Transmission of the wave", "%",
+                     sides.behind.size() > 1 ? "first harmonic that runs on behind obstacle or body over that "
+                                               "before it, each by least squares over its gauges"
+                                             : "first harmonic at the gauge behind obstacle or body, with what "
+                                               "comes back there, over that which runs towards it");
     for (const RunRecord& r : comparison.sources) q.values.push_back(transmission_in(r, sides, periods));
     beside(q);
     q.judged_in_grid_study = true;

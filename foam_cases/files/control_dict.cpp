@@ -127,13 +127,13 @@ Dictionary probes(const CasePlan& plan, const List& fields, const std::vector<Ve
     return d;
 }
 
-/// Whether the cells at these places stay where they are while the mesh follows a free body. OpenFOAM seeks the cells of
-/// fixed places again, by a tree of all cells, each time that the mesh has moved: in every outer corrector, for twice
-/// the time of all else (decision 032).
+/// Whether the cells at these places stay where they are, but for a fiftieth of the body's way, while the mesh follows a
+/// free body. OpenFOAM seeks the cells of fixed places again, by a tree of all cells, each time that the mesh has moved:
+/// in every outer corrector, for twice the time of all else (decision 032).
 bool cells_stay(const CasePlan& plan, const std::vector<Vec3>& places) {
     if (plan.mesh_motion.kind != MeshMotion::Kind::morphing || plan.moving().motion.law) return false;
     // half the size of a cell away its corners still move, and OpenFOAM's distances are those between points
-    const double most = plan.mesh_motion.outer + 1.5 * plan.background_cell;
+    const double most = plan.mesh_motion.follows_by(0.02) + 1.5 * plan.background_cell;
     for (const Solid& solid : plan.solids) {
         if (!solid.moves) continue;
         const SurfaceQuery surface(solid.surface);

@@ -13,10 +13,12 @@
 #include "scene/mesh/courant_number.h"
 #include "scene/mesh/edge_refinement.h"
 #include "scene/mesh/mesh_cells.h"
+#include "scene/mesh/mesh_motion.h"
 #include "scene/particles/cores_of_particles.h"
 #include "scene/particles/particles_of_sizes.h"
 #include "scene/refined_places.h"
 #include "scene/scene.h"
+#include "scene/solids/added_mass.h"
 #include "scene/water/running_water.h"
 #include "scene/water/water_blocks.h"
 #include "structure/solid/solid.h"
@@ -41,6 +43,10 @@ constexpr double steps_of_shedding_edges = 1.45;      // half a prism with cells
 constexpr double cell_steps_per_core_second = 335e3;  // interFoam, three dimensions, three pressure correctors
 constexpr double cost_of_flat_step = 0.54;            // two dimensions: four faces of a cell in place of six
 constexpr double cost_of_moving_step = 1.6;           // a mesh that follows a body, in two or three dimensions
+// A free hull in a stream, beside which more of the mesh moves: once a step, and three times of one so light that body and
+// water come to terms no sooner (foam_cases/viscous_steps.h). Measured: a ship and a planing hull in waves.
+constexpr double cost_of_free_hull_step = 1.9, cost_of_light_hull_step = 3.8;
+constexpr double lightest_at_once = 0.375;            // share of its added mass
 constexpr double seconds_per_frame = 0.012;           // files of a moment, whatever the mesh
 constexpr double seconds_per_cell_of_frame = 3.5e-7;  // read again for the record
 constexpr double cost_of_geometric_capture = 4;       // interIsoFoam's step beside interFoam's, in three dimensions
@@ -65,6 +71,11 @@ double seconds_of_tyre(const ElasticTyre& tyre, double duration, double steps) {
 double cost_of_step(const Scene& scene) {
     const bool flat = scene.domain.dimensions == 2;
     const double surface = scene.fvm.captures_geometrically() && !flat ? cost_of_geometric_capture : 1;  // decision 028
+    if (scene.hull && scene.hull->free && scene.motion.kind == Motion::Kind::stream) {
+        const MovingBody hull = followed_by_mesh(scene).front();
+        const bool light = hull.motion.mass.mass < lightest_at_once * added_mass(hull, scene);
+        return surface * (light ? cost_of_light_hull_step : cost_of_free_hull_step);
+    }
     if (!scene.bodies.empty() || (scene.hull && scene.hull->free)) return surface * cost_of_moving_step;
     return surface * (flat ? cost_of_flat_step : hull_held_in_stream(scene) ? cost_of_held_step : 1);
 }

@@ -157,6 +157,10 @@ std::vector<Solid> solids_at_rest(const Scene& scene) {
 
 }  // namespace
 
+double MeshMotion::follows_by(double share) const {
+    return outer - (outer - inner) * std::acos(1 - 2 * share) / std::numbers::pi;
+}
+
 std::string MeshMotion::sentence() const {
     switch (kind) {
         case MeshMotion::Kind::none: return {};
@@ -165,7 +169,7 @@ std::string MeshMotion::sentence() const {
                 "the mesh is morphed between the body and the walls, which stay where they are; the body "
                 "may move by {:.3g} m; gauges nearer to it than {:.2g} m and a cell or two double the time of a step, "
                 "since their cells are sought anew",
-                stretch(), outer);
+                stretch(), follows_by(0.02));
         case MeshMotion::Kind::sliding:
             return "the whole mesh moves up and down with the body, along the tank's sides: there is no floor, the "
                    "water "

@@ -16,6 +16,10 @@ struct MeshMotion {
 
     /// Morphing: cells nearer than `inner` to the body move with it, those farther than `outer` stay [m].
     double inner = 0, outer = 0;  ///< [m]
+    /// Morphing: where cells take this share, 0 to 1, of the body's way, as OpenFOAM blends it [m]:
+    ///
+    ///   share = (1 - cos(pi (outer - r) / (outer - inner))) / 2
+    double follows_by(double share) const;
     /// Morphing: how far any point of the body may move [m]. Cells fold at 2/pi of outer - inner (the blend is a
     /// cosine); the run is stopped at nine tenths of that.
     double stretch() const { return 0.57 * (outer - inner); }

@@ -59,7 +59,8 @@ Domain stream_domain(const DomainOptions& o, const Scene& scene, std::optional<d
         const Margins m = margins(scene);
         const double side = o.side.value_or(m.side);
         const double below = o.below.value_or(std::min(water_depth.value_or(m.below), m.below));
-        floor_given = floor_given || (water_depth && *water_depth <= m.below);
+        // A wave is that of the depth asked for, at every size.
+        floor_given = floor_given || (water_depth && *water_depth <= m.below) || scene.has_wave();
         box.min = {hull.min.x() - o.ahead.value_or(m.ahead), -side, -below};
         box.max = {hull.max.x() + o.behind.value_or(m.behind), side, o.above.value_or(m.above)};
     }

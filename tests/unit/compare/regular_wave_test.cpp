@@ -7,6 +7,7 @@
 #include "record/hull_motion.h"
 #include "record/wave_twin.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -142,6 +143,21 @@ TEST(RegularWaveMeasure, TellsWhatABreakwaterReflectsFromWhatItLetsPass) {
     const double with_back = 25 * std::abs(1.0 + 0.1 * std::polar(1.0, 4 * pi * -0.3 + 1));
     EXPECT_NEAR(transmission->values[1].value, with_back, 0.02);
     EXPECT_TRUE(transmission->judged_in_grid_study);
+}
+
+TEST(RegularWaveMeasure, TellsWhatAFloatingBodySendsBackFromTheGaugesBeforeIt) {
+    Comparison c;
+    c.sources = {past_breakwater()};
+    auto& numbers = c.sources[0].numbers;
+    for (const char* end : {"min", "max"}) {
+        auto number = numbers.extract(fmt::format("obstacle_x_{}_wall", end));
+        number.key() = fmt::format("body_x_{}_float", end);
+        numbers.insert(std::move(number));
+    }
+    c.names = {"sph"};
+    add_regular_wave(c);
+    EXPECT_NEAR(c.find("wave_reflection")->values[0].value, 70, 0.01);
+    EXPECT_NEAR(c.find("wave_transmission")->values[0].value, 25, 0.01);
 }
 
 TEST(RegularWaveMeasure, GivesNoTransmissionWithoutGaugesOnBothSides) {

@@ -188,7 +188,7 @@ TEST(CaseFiles, GaugesBeyondTheMorphedCellsKeepTheCellsThatTheyHave) {
         const std::string control = control_dict(plan_case(scene, v1912));
         return control.substr(control.find("heightColumns"));
     };
-    const double edge = b.surface.bounds().max.x() + plan_case(scene, v1912).mesh_motion.outer;
+    const double edge = b.surface.bounds().max.x() + plan_case(scene, v1912).mesh_motion.follows_by(0.02);
     EXPECT_SAYS(at(edge + 0.05), "fixedLocations no;");
     EXPECT_SAYS(at(edge - 0.05), "fixedLocations yes;") << "its cells move";
     scene.fvm.body_mesh = "whole";

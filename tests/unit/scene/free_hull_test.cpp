@@ -46,7 +46,11 @@ TEST(FreeHull, IsOneSizeOfParticlesAndAMorphedMesh) {
     const Scene scene = scene_of(with(free_planing, "near_hull = \"0.05 m\"", "near_hull = 0.05\nspacing = 0.2"));
     EXPECT_EQ(scene.sph.levels, 1);
     EXPECT_EQ(mesh_motion(scene).kind, MeshMotion::Kind::morphing);
-    EXPECT_GT(mesh_motion(scene).stretch(), 0.2);
+    const MeshMotion motion = mesh_motion(scene);
+    EXPECT_GT(motion.stretch(), 0.2);
+    EXPECT_NEAR(motion.follows_by(1), motion.inner, 1e-12);
+    EXPECT_NEAR(motion.follows_by(0.5), (motion.inner + motion.outer) / 2, 1e-12);
+    EXPECT_NEAR(motion.follows_by(0), motion.outer, 1e-12);
     EXPECT_EQ(mesh_motion(scene_of(planing)).kind, MeshMotion::Kind::none);
 }
 

@@ -36,6 +36,28 @@ TEST(StreamWave, IsThatOfStillWaterCarriedByTheStream) {
     EXPECT_LT(of_period.wave->encounter_period(), 0.6);
 }
 
+/// A box 0.4 m long in a stream of 0.6 m/s with a head wave; without `below` the floor is where the hull's length has it.
+std::string box_in_head_wave(const std::string& domain) {
+    return "[hull]\nshape = \"box\"\nlength = 0.41\nbeam = 1\nheight = 0.16\ndraft = 0.06\n[motion]\nkind = "
+           "\"stream\"\nspeed = 0.6\n[domain]\n" +
+           domain + "[wave]\nheight = 0.06\nlength = 1\n[resolution]\nnear_hull = 0.0125\n";
+}
+
+TEST(StreamWave, RunsInWaterAsDeepAsItIsComputedFor) {
+    const Scene s = scene_of(box_in_head_wave("dimensions = 2\n"));
+    ASSERT_TRUE(s.wave);
+    EXPECT_NEAR(s.wave->depth, -s.domain.box.min.z(), 1e-12);
+    EXPECT_GT(std::abs(std::remainder(s.wave->depth, s.resolution.spacing)), 1e-3) << "else nothing is rounded";
+}
+
+TEST(StreamWave, HasItsOwnStepsBesideASectionWithSmallerCells) {
+    const Scene s = scene_of(box_in_head_wave("dimensions = 2\nbelow = 0.4\n"));
+    EXPECT_NEAR(finest_cell(s), s.resolution.near_hull / 4, 1e-12);
+    EXPECT_NEAR(s.fvm.max_courant, 0.6, 1e-9);
+    const Scene whole = scene_of(box_in_head_wave("below = 0.4\n"));
+    EXPECT_NEAR(whole.fvm.max_courant, 0.15, 1e-9) << "three dimensions";
+}
+
 TEST(StreamWave, IsMadeAheadAndAbsorbedBehindOutsideTheBox) {
     const Scene s = scene_of(stream());
     const Box &all = s.domain.box, &open = s.domain.undamped;

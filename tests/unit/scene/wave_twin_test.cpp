@@ -51,6 +51,20 @@ TEST(EmptyTwin, HasGaugesForBodiesAndAllElseAsWithThem) {
     EXPECT_NE(TankWave(scene_of(without(box_in_waves()))).surface(0.3), TankWave(s).surface(0.3));
 }
 
+TEST(EmptyTwin, MakesTheSameStepsWithACourantNumberOfTheScene) {
+    const std::string given = box_in_waves() + "[fvm]\nmax_courant = 0.4\nmax_alpha_courant = 0.2\n";
+    EXPECT_NEAR(scene_of(given).fvm.max_courant, 0.4, 1e-9);
+    EXPECT_NEAR(twin_of(given).fvm.max_courant, 0.1, 1e-9);
+    EXPECT_NEAR(twin_of(given).fvm.max_alpha_courant, 0.05, 1e-9);
+}
+
+TEST(WaveRecord, KnowsWhereABodyStandsBetweenItsGauges) {
+    const RunRecord record = new_record(scene_of(box_in_waves()), "sph");
+    EXPECT_NEAR(record.numbers.at("body_x_min_box"), -0.05, 1e-6);
+    EXPECT_NEAR(record.numbers.at("body_x_max_box"), 0.15, 1e-6);
+    EXPECT_FALSE(new_record(twin_of(box_in_waves()), "sph").numbers.contains("body_x_min_box"));
+}
+
 TEST(EmptyTwin, KnowsTheRunThatItBelongsTo) {
     const Scene s = scene_of(box_in_waves()), twin = twin_of(box_in_waves());
     for (const char* method : {"sph", "fvm"}) {
