@@ -40,6 +40,9 @@ bool Flavour::field_extremes() const { return !org_from(*this, 9); }
 std::string Flavour::iso_surface() const { return vendor == Vendor::org ? "isoSurface" : "isoSurfaceCell"; }
 bool Flavour::distance_in_box_level() const { return vendor == Vendor::com; }
 bool Flavour::keeps_planes_without_faces() const { return vendor == Vendor::org; }
+std::string Flavour::moving_wall(bool lets_go) const {
+    return lets_go && vendor == Vendor::com ? "ventilatedWallVelocity" : "movingWallVelocity";
+}
 bool Flavour::moves_bodies_and_tanks() const { return vendor == Vendor::com || number >= 11; }
 bool Flavour::objects_set_steps() const { return vendor == Vendor::com; }
 bool Flavour::steps_limited_by_table() const { return org_from(*this, 12); }

@@ -120,7 +120,6 @@ std::vector<CaseFile> pipe_case(const OpenFoam& candidate) {
     const auto fixed = [](double v) {
         return Dictionary{{"type", Word("fixedValue")}, {"value", Value::sequence({Word("uniform"), v})}};
     };
-    const Dictionary moved_sides{{"type", Word("movingWallVelocity")}, {"value", Word("uniform (0 0 0)")}};
     const auto solver = [](const char* name, double tolerance) {
         Dictionary d{{"solver", Word(name)}, {"tolerance", tolerance}, {"relTol", 0}};
         return std::string(name) == "PCG" ? d.add("preconditioner", Word("DIC"))
@@ -136,6 +135,8 @@ std::vector<CaseFile> pipe_case(const OpenFoam& candidate) {
     plan.flavour = flavour;
     const bool lets_go = !candidate.wall_library.empty(), absorbs = !candidate.zone_library.empty(),
                holds = !candidate.hold_library.empty();
+    const std::string moving = flavour.moving_wall(lets_go);  // where it is the library's own it is tried in any case
+    const Dictionary moving_sides{{"type", Word(moving)}, {"value", Word("uniform (0 0 0)")}};
 
     // what interFoam reads, and beside it what interIsoFoam does
     Dictionary alpha{{"nAlphaCorr", 1},    {"nAlphaSubCycles", 1},
@@ -161,8 +162,9 @@ std::vector<CaseFile> pipe_case(const OpenFoam& candidate) {
         {"system/fvSolution", foam_file("dictionary", "fvSolution", {{"solvers", solvers}, {"PIMPLE", pimple}})},
         {"constant/g", gravity_file(plan)},
         {"constant/" + flavour.turbulence_file(), turbulence_file(plan)},
-        {"0/U", pipe_field("volVectorField", "U", velocity, "uniform (0 0 0)", type("zeroGradient"),
-                           type("zeroGradient"), holds ? moved_sides : type("slip"))},
+        {"0/U",
+         pipe_field("volVectorField", "U", velocity, "uniform (0 0 0)", type("zeroGradient"), type("zeroGradient"),
+                    holds || moving != flavour.moving_wall(false) ? moving_sides : type("slip"))},
         {"0/alpha.water", pipe_field("volScalarField", "alpha.water", dimensionless, "uniform 1", fixed(1),
                                      type("zeroGradient"), type(lets_go ? "ventilatedWallFraction" : "zeroGradient"))},
         {"0/p_rgh",

@@ -93,7 +93,7 @@ std::string velocity_field(const CasePlan& plan, const std::optional<Value>& of_
     return field(plan, "volVectorField", "U", velocity, inside, open, wall, [&](const Solid& s) -> Dictionary {
         if (!s.moves) return wall;
         // slip would let the water through a wall that moves
-        return {{"type", Word("movingWallVelocity")}, {"value", uniform(Vec3::Zero())}};
+        return {{"type", Word(plan.flavour.moving_wall(!plan.wall_library.empty()))}, {"value", uniform(Vec3::Zero())}};
     });
 }
 

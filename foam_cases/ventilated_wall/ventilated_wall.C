@@ -1,15 +1,19 @@
-// Walls from which water lets go: two boundary conditions for interFoam of openfoam.com and openfoam.org (incompressibleVoF
+// Walls from which water lets go: three boundary conditions for interFoam of openfoam.com and openfoam.org (incompressibleVoF
 // from 11 on), a library of their own. tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
 // tools/build_openfoam_walls.sh for the one whose environment is loaded; what differs between them is in release.H. Theory:
 // docs/theory.md, "Walls that let water go"; measurements: docs/decisions/061-walls-that-let-go.md.
 //
 //     0/p_rgh         type ventilatedWallPressure;   value uniform 0;
 //     0/alpha.water   type ventilatedWallFraction;   value uniform 0;
+//     0/U             type ventilatedWallVelocity;   value uniform (0 0 0);   of a body that moves, openfoam.com alone
 //
-// The velocity keeps the condition of a wall.
+// The velocity of a wall at rest keeps its condition.
 
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "mixedFvPatchFields.H"
+#ifdef OPENFOAM
+#include "movingWallVelocityFvPatchVectorField.H"
+#endif
 #include "release.H"
 #include "surfaceFields.H"
 #include "syncTools.H"
@@ -35,6 +39,7 @@ class ventilatedWallPressureFvPatchScalarField : public fixedFluxPressureFvPatch
     scalarField wasOpen_;  ///< at the end of the last time step
     scalarField ofAir_;    ///< p_rgh at which the pressure is the air's [Pa]
     label step_ = -1;      ///< for which wasOpen_ holds
+    label equations_ = 0;  ///< of the pressure, so far
 
     void closeAll() {
         for (scalarField* field : {&open_, &wasOpen_, &ofAir_}) *field = scalarField(this->size(), 0.0);
@@ -67,15 +72,18 @@ public:
           open_(other.open_),
           wasOpen_(other.wasOpen_),
           ofAir_(other.ofAir_),
-          step_(other.step_) {}
-    RELEASED_CLONES(ventilatedWallPressureFvPatchScalarField)
+          step_(other.step_),
+          equations_(other.equations_) {}
+    RELEASED_CLONES(ventilatedWallPressureFvPatchScalarField, scalar)
 
     const scalarField& open() const { return open_; }
+    label equations() const { return equations_; }
 
     /// Called by the solver before each pressure equation with the gradient of a wall.
     using fixedFluxPressureFvPatchScalarField::updateCoeffs;
     void RELEASED_TAKE_GRADIENT(const scalarField& gradientOfWall) override {
         if (updated()) return;
+        ++equations_;
         if (step_ != db().time().timeIndex()) {
             step_ = db().time().timeIndex();
             wasOpen_ = open_;
@@ -159,7 +167,7 @@ public:
     ventilatedWallFractionFvPatchScalarField(const ventilatedWallFractionFvPatchScalarField& other,
                                              const DimensionedField<scalar, volMesh>& field)
         : mixedFvPatchScalarField(other, field) {}
-    RELEASED_CLONES(ventilatedWallFractionFvPatchScalarField)
+    RELEASED_CLONES(ventilatedWallFractionFvPatchScalarField, scalar)
 
     bool fixesValue() const override { return false; }  // it would take part in the bounds of the water fraction
     void updateCoeffs() override {
@@ -180,5 +188,52 @@ public:
 };
 
 makePatchTypeField(fvPatchScalarField, ventilatedWallFractionFvPatchScalarField);
+
+#ifdef OPENFOAM  // openfoam.org's builds were not tried with it
+
+/// The velocity of such a wall that moves. Once the mesh has moved the solver asks for the fluxes through walls anew, by
+/// their velocity, and corrects all others by them: an opening would lose what comes in through it in each step, the water
+/// beside it be stopped and started, the harder the shorter the step. What is asked for then, with no equation of the
+/// pressure since the last time, contains the flux of the openings; the wall that the equations see does not.
+class ventilatedWallVelocityFvPatchVectorField : public movingWallVelocityFvPatchVectorField {
+    label equations_ = 0;  ///< of the pressure, when the velocity was asked for the last time
+
+public:
+    TypeName("ventilatedWallVelocity");
+
+    ventilatedWallVelocityFvPatchVectorField(const fvPatch& p, const DimensionedField<vector, volMesh>& field)
+        : movingWallVelocityFvPatchVectorField(p, field) {}
+    ventilatedWallVelocityFvPatchVectorField(const fvPatch& p, const DimensionedField<vector, volMesh>& field,
+                                             const dictionary& dict)
+        : movingWallVelocityFvPatchVectorField(p, field, dict) {}
+    ventilatedWallVelocityFvPatchVectorField(const ventilatedWallVelocityFvPatchVectorField& other, const fvPatch& p,
+                                             const DimensionedField<vector, volMesh>& field,
+                                             const released::Mapper& mapper)
+        : movingWallVelocityFvPatchVectorField(other, p, field, mapper) {}
+    ventilatedWallVelocityFvPatchVectorField(const ventilatedWallVelocityFvPatchVectorField& other,
+                                             const DimensionedField<vector, volMesh>& field)
+        : movingWallVelocityFvPatchVectorField(other, field), equations_(other.equations_) {}
+    RELEASED_CLONES(ventilatedWallVelocityFvPatchVectorField, vector)
+
+    void evaluate(const Pstream::commsTypes comms) override {
+        movingWallVelocityFvPatchVectorField::evaluate(comms);
+        if (!db().foundObject<surfaceScalarField>("phi") || !db().foundObject<volScalarField>("p_rgh")) return;
+        const fvPatchScalarField& pressure = patch().lookupPatchField<volScalarField, scalar>("p_rgh");
+        if (!isA<ventilatedWallPressureFvPatchScalarField>(pressure)) return;
+        const auto& wall = refCast<const ventilatedWallPressureFvPatchScalarField>(pressure);
+        if (wall.equations() != equations_) {
+            equations_ = wall.equations();
+            return;
+        }
+        const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");  // absolute
+        const vectorField n(patch().nf());
+        vectorField& U = *this;
+        U += wall.open() * n * (phi / patch().magSf() - (n & U));
+    }
+};
+
+makePatchTypeField(fvPatchVectorField, ventilatedWallVelocityFvPatchVectorField);
+
+#endif
 
 }  // namespace Foam

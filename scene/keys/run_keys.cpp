@@ -378,8 +378,8 @@ Rows sph_keys() {
 Rows fvm_keys() {
     return {
         {.name = "max_courant", .range = {0, 20, true}, .hashed = Hashed::run,
-         .slot = slot(&Scene::fvm, &FvmOptions::max_courant), .fallback = "4 in a stream, 0.15 in waves (up to 0.5 where they enter with the stream; 0.6 with bodies in two "
-                     "dimensions, beside which cells are a quarter as large), else 1",
+         .slot = slot(&Scene::fvm, &FvmOptions::max_courant), .fallback = "4 in a stream, 0.15 in waves (up to 0.5 where they enter with the stream; four times as much with a "
+                     "hull or bodies in two dimensions, beside which cells are a quarter as large), else 1",
          .meaning = "Largest Courant number of the flow."},
         {.name = "max_alpha_courant", .range = {0, 20, true}, .hashed = Hashed::run,
          .slot = slot(&Scene::fvm, &FvmOptions::max_alpha_courant),

@@ -35,6 +35,11 @@ TEST(CaseFiles, AFreeHullMovesItsMeshWithHalfItsMassAndLetsNoWaterThrough) {
     EXPECT_SAYS(motion[0].text, "sixDoFRigidBodyMotionConstraint axis; axis (0 1 0);");
     EXPECT_SAYS(motion[1].text, "midPlane { type symmetryPlane; }");
     EXPECT_SAYS(velocity_field(plan), "hull { type movingWallVelocity;");  // slip would let it through
+    CasePlan lets_go = plan;
+    lets_go.wall_library = "libventilatedWall.so";
+    EXPECT_SAYS(velocity_field(lets_go), "hull { type ventilatedWallVelocity;");
+    lets_go.flavour = Flavour::from_version("openfoam.org", "12");
+    EXPECT_SAYS(velocity_field(lets_go), "hull { type movingWallVelocity;") << "not tried there";
     EXPECT_SAYS(fv_schemes(plan), "linearUpwind");                         // as of a hull that is held
     EXPECT_SAYS(control_dict(plan), "bodyState");
     EXPECT_SILENT(control_dict(plan), "forces_hull");  // its forces are recorded as the hull's
