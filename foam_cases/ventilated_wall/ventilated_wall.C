@@ -40,6 +40,7 @@ class ventilatedWallPressureFvPatchScalarField : public fixedFluxPressureFvPatch
     scalarField ofAir_;    ///< p_rgh at which the pressure is the air's [Pa]
     label step_ = -1;      ///< for which wasOpen_ holds
     label equations_ = 0;  ///< of the pressure, so far
+    bool decided_ = false;  ///< for the next of them
 
     void closeAll() {
         for (scalarField* field : {&open_, &wasOpen_, &ofAir_}) *field = scalarField(this->size(), 0.0);
@@ -73,17 +74,18 @@ public:
           wasOpen_(other.wasOpen_),
           ofAir_(other.ofAir_),
           step_(other.step_),
-          equations_(other.equations_) {}
+          equations_(other.equations_),
+          decided_(other.decided_) {}
     RELEASED_CLONES(ventilatedWallPressureFvPatchScalarField, scalar)
 
     const scalarField& open() const { return open_; }
     label equations() const { return equations_; }
 
-    /// Called by the solver before each pressure equation with the gradient of a wall.
-    using fixedFluxPressureFvPatchScalarField::updateCoeffs;
-    void RELEASED_TAKE_GRADIENT(const scalarField& gradientOfWall) override {
-        if (updated()) return;
-        ++equations_;
+    /// Which faces are open in the next equation of the pressure, from the last solution. `throughWall`: flux of the wall's
+    /// own velocity, where phi contains it.
+    void decide(const scalarField& throughWall) {
+        if (decided_) return;
+        decided_ = true;
         if (step_ != db().time().timeIndex()) {
             step_ = db().time().timeIndex();
             wasOpen_ = open_;
@@ -91,7 +93,7 @@ public:
         const scalarField water(
             patch().lookupPatchField<volScalarField, scalar>("alpha.water").patchInternalField());
         const scalarField& rho = patch().lookupPatchField<volScalarField, scalar>("rho");
-        const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");  // relative to the mesh
+        const scalarField phi(patch().lookupPatchField<surfaceScalarField, scalar>("phi") - throughWall);
         const scalarField gh(released::gravity(db()) & patch().Cf());
         const polyPatch& faces = patch().patch();
         // By points, so that neighbours on other processors count.
@@ -112,6 +114,15 @@ public:
         if (debug)
             Info<< type() << " " << patch().name() << ": " << returnReduce(opened, sumOp<label>())
                 << " faces are open" << endl;
+    }
+
+    /// Called by the solver before each pressure equation with the gradient of a wall.
+    using fixedFluxPressureFvPatchScalarField::updateCoeffs;
+    void RELEASED_TAKE_GRADIENT(const scalarField& gradientOfWall) override {
+        if (updated()) return;
+        decide(scalarField(this->size(), 0.0));
+        decided_ = false;
+        ++equations_;
         fixedFluxPressureFvPatchScalarField::RELEASED_TAKE_GRADIENT(gradientOfWall);
     }
 
@@ -191,12 +202,32 @@ makePatchTypeField(fvPatchScalarField, ventilatedWallFractionFvPatchScalarField)
 
 #ifdef OPENFOAM  // openfoam.org's builds were not tried with it
 
-/// The velocity of such a wall that moves. Once the mesh has moved the solver asks for the fluxes through walls anew, by
-/// their velocity, and corrects all others by them: an opening would lose what comes in through it in each step, the water
-/// beside it be stopped and started, the harder the shorter the step. What is asked for then, with no equation of the
-/// pressure since the last time, contains the flux of the openings; the wall that the equations see does not.
+/// The velocity of such a wall that moves: the wall's, and at an opening with what came in through it at the end of the last
+/// time step. The solver takes the flux through a face but for the pressure's part from this velocity,
+///
+///   u = U n - (dt/rho) dp/dn
+///
+/// so that with the wall's alone what comes in would be started from rest in each step, by a suction of rho u L/dt (L: from
+/// the cell's middle to the wall) that the water beside it feels: the shorter the step, the more, without end.
+///
+/// Once the mesh has moved the solver asks for the fluxes through such patches anew, by their velocity, and corrects all
+/// others by them. What is asked for then, with no equation of the pressure since the last time, is the flux that there is.
 class ventilatedWallVelocityFvPatchVectorField : public movingWallVelocityFvPatchVectorField {
     label equations_ = 0;  ///< of the pressure, when the velocity was asked for the last time
+
+    ventilatedWallPressureFvPatchScalarField* pressure() const {
+        if (!db().foundObject<surfaceScalarField>("phi") || !db().foundObject<volScalarField>("p_rgh")) return nullptr;
+        fvPatchScalarField& p = db().lookupObjectRef<volScalarField>("p_rgh").boundaryFieldRef()[patch().index()];
+        return isA<ventilatedWallPressureFvPatchScalarField>(p) ? &refCast<ventilatedWallPressureFvPatchScalarField>(p)
+                                                                : nullptr;
+    }
+
+    void addInflow(const ventilatedWallPressureFvPatchScalarField& wall) {
+        const surfaceScalarField& phi = db().lookupObject<surfaceScalarField>("phi");
+        const scalarField before(phi.oldTime().boundaryField()[patch().index()]/patch().magSf());  // past the wall
+        vectorField& U = *this;
+        U += wall.open()*min(before, scalar(0))*patch().nf();
+    }
 
 public:
     TypeName("ventilatedWallVelocity");
@@ -215,20 +246,30 @@ public:
         : movingWallVelocityFvPatchVectorField(other, field), equations_(other.equations_) {}
     RELEASED_CLONES(ventilatedWallVelocityFvPatchVectorField, vector)
 
+    void updateCoeffs() override {
+        if (updated()) return;
+        movingWallVelocityFvPatchVectorField::updateCoeffs();
+        ventilatedWallPressureFvPatchScalarField* wall = pressure();
+        if (!wall) return;
+        wall->decide(scalarField(this->size(), 0.0));
+        addInflow(*wall);
+    }
     void evaluate(const Pstream::commsTypes comms) override {
         movingWallVelocityFvPatchVectorField::evaluate(comms);
-        if (!db().foundObject<surfaceScalarField>("phi") || !db().foundObject<volScalarField>("p_rgh")) return;
-        const fvPatchScalarField& pressure = patch().lookupPatchField<volScalarField, scalar>("p_rgh");
-        if (!isA<ventilatedWallPressureFvPatchScalarField>(pressure)) return;
-        const auto& wall = refCast<const ventilatedWallPressureFvPatchScalarField>(pressure);
-        if (wall.equations() != equations_) {
-            equations_ = wall.equations();
+        ventilatedWallPressureFvPatchScalarField* wall = pressure();
+        if (!wall) return;
+        vectorField& U = *this;
+        if (wall->equations() != equations_) {  // phi is absolute, as below
+            equations_ = wall->equations();
+            movingWallVelocityFvPatchVectorField::updateCoeffs();
+            wall->decide(U & patch().Sf());
+            addInflow(*wall);
+            movingWallVelocityFvPatchVectorField::evaluate(comms);
             return;
         }
-        const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");  // absolute
+        const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");
         const vectorField n(patch().nf());
-        vectorField& U = *this;
-        U += wall.open() * n * (phi / patch().magSf() - (n & U));
+        U += wall->open()*n*(phi/patch().magSf() - (n & U));
     }
 };
 
