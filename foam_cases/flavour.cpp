@@ -43,6 +43,9 @@ bool Flavour::keeps_planes_without_faces() const { return vendor == Vendor::org;
 std::string Flavour::moving_wall(bool lets_go) const {
     return lets_go && vendor == Vendor::com ? "ventilatedWallVelocity" : "movingWallVelocity";
 }
+std::string Flavour::slip_wall(bool lets_go) const {
+    return lets_go && vendor == Vendor::com ? "ventilatedSlip" : "slip";
+}
 bool Flavour::moves_bodies_and_tanks() const { return vendor == Vendor::com || number >= 11; }
 bool Flavour::objects_set_steps() const { return vendor == Vendor::com; }
 bool Flavour::steps_limited_by_table() const { return org_from(*this, 12); }

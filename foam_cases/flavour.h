@@ -48,8 +48,10 @@ struct Flavour {
     bool keeps_planes_without_faces() const;    ///< openfoam.org: createPatch leaves symmetry planes that are empty
     /// openfoam.com, and openfoam.org from 11: bodies and tanks that move.
     bool moves_bodies_and_tanks() const;
-    /// Velocity of a wall that moves. One that lets water go has its own (foam_cases/ventilated_wall): openfoam.com.
+    /// Velocity of a wall that moves, and of one along which water slips. Those that let water go have their own
+    /// (foam_cases/ventilated_wall): openfoam.com.
     std::string moving_wall(bool lets_go) const;
+    std::string slip_wall(bool lets_go) const;
     bool objects_set_steps() const;       ///< openfoam.com, or writeControl must be adjustableRunTime too
     bool steps_limited_by_table() const;  ///< openfoam.org from 12: fluidMaxDeltaT, the largest time step by a table
     bool end_of_object() const;    ///< openfoam.org: the last time of a function object is endTime, timeEnd elsewhere

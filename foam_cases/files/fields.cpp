@@ -91,9 +91,13 @@ std::string velocity_field(const CasePlan& plan, const std::optional<Value>& of_
     };
     const Dictionary wall{{"type", Word(plan.no_slip ? "noSlip" : "slip")}};
     return field(plan, "volVectorField", "U", velocity, inside, open, wall, [&](const Solid& s) -> Dictionary {
-        if (!s.moves) return wall;
+        const bool lets_go = !plan.wall_library.empty();
         // slip would let the water through a wall that moves
-        return {{"type", Word(plan.flavour.moving_wall(!plan.wall_library.empty()))}, {"value", uniform(Vec3::Zero())}};
+        if (s.moves) return {{"type", Word(plan.flavour.moving_wall(lets_go))}, {"value", uniform(Vec3::Zero())}};
+        const bool short_steps =
+            s.is_hull && plan.scene->fvm.max_courant <= 1;  // docs/decisions/061-walls-that-let-go.md
+        if (short_steps && !plan.no_slip) return {{"type", Word(plan.flavour.slip_wall(lets_go))}};
+        return wall;
     });
 }
 

@@ -1,4 +1,4 @@
-// Walls from which water lets go: three boundary conditions for interFoam of openfoam.com and openfoam.org (incompressibleVoF
+// Walls from which water lets go: boundary conditions for interFoam of openfoam.com and openfoam.org (incompressibleVoF
 // from 11 on), a library of their own. tools/build_openfoam_solvers.sh builds it for Debian's OpenFOAM,
 // tools/build_openfoam_walls.sh for the one whose environment is loaded; what differs between them is in release.H. Theory:
 // docs/theory.md, "Walls that let water go"; measurements: docs/decisions/061-walls-that-let-go.md.
@@ -6,13 +6,15 @@
 //     0/p_rgh         type ventilatedWallPressure;   value uniform 0;
 //     0/alpha.water   type ventilatedWallFraction;   value uniform 0;
 //     0/U             type ventilatedWallVelocity;   value uniform (0 0 0);   of a body that moves, openfoam.com alone
+//     0/U             type ventilatedSlip;                                    of a wall at rest in short steps, likewise
 //
-// The velocity of a wall at rest keeps its condition.
+// The velocity of other walls keeps its condition.
 
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "mixedFvPatchFields.H"
 #ifdef OPENFOAM
 #include "movingWallVelocityFvPatchVectorField.H"
+#include "slipFvPatchFields.H"
 #endif
 #include "release.H"
 #include "surfaceFields.H"
@@ -202,32 +204,33 @@ makePatchTypeField(fvPatchScalarField, ventilatedWallFractionFvPatchScalarField)
 
 #ifdef OPENFOAM  // openfoam.org's builds were not tried with it
 
-/// The velocity of such a wall that moves: the wall's, and at an opening with what came in through it at the end of the last
-/// time step. The solver takes the flux through a face but for the pressure's part from this velocity,
+/// The pressure's condition at the same patch, if it is one of these walls and there are fluxes already.
+inline ventilatedWallPressureFvPatchScalarField* lettingGo(const fvPatch& patch, const objectRegistry& fields) {
+    if (!fields.foundObject<surfaceScalarField>("phi") || !fields.foundObject<volScalarField>("p_rgh")) return nullptr;
+    fvPatchScalarField& p = fields.lookupObjectRef<volScalarField>("p_rgh").boundaryFieldRef()[patch.index()];
+    return isA<ventilatedWallPressureFvPatchScalarField>(p) ? &refCast<ventilatedWallPressureFvPatchScalarField>(p)
+                                                            : nullptr;
+}
+
+/// Velocity of what came in through the openings at the end of the last time step, relative to the wall. The solver takes
+/// the flux through a face but for the pressure's part from the velocity at the patch,
 ///
 ///   u = U n - (dt/rho) dp/dn
 ///
 /// so that with the wall's alone what comes in would be started from rest in each step, by a suction of rho u L/dt (L: from
 /// the cell's middle to the wall) that the water beside it feels: the shorter the step, the more, without end.
+inline tmp<vectorField> inflow(const ventilatedWallPressureFvPatchScalarField& wall, const fvPatch& patch) {
+    const surfaceScalarField& phi = wall.db().lookupObject<surfaceScalarField>("phi");
+    const scalarField before(phi.oldTime().boundaryField()[patch.index()] / patch.magSf());
+    return wall.open() * min(before, scalar(0)) * patch.nf();
+}
+
+/// The velocity of such a wall that moves: the wall's, and at openings with what comes in.
 ///
 /// Once the mesh has moved the solver asks for the fluxes through such patches anew, by their velocity, and corrects all
 /// others by them. What is asked for then, with no equation of the pressure since the last time, is the flux that there is.
 class ventilatedWallVelocityFvPatchVectorField : public movingWallVelocityFvPatchVectorField {
     label equations_ = 0;  ///< of the pressure, when the velocity was asked for the last time
-
-    ventilatedWallPressureFvPatchScalarField* pressure() const {
-        if (!db().foundObject<surfaceScalarField>("phi") || !db().foundObject<volScalarField>("p_rgh")) return nullptr;
-        fvPatchScalarField& p = db().lookupObjectRef<volScalarField>("p_rgh").boundaryFieldRef()[patch().index()];
-        return isA<ventilatedWallPressureFvPatchScalarField>(p) ? &refCast<ventilatedWallPressureFvPatchScalarField>(p)
-                                                                : nullptr;
-    }
-
-    void addInflow(const ventilatedWallPressureFvPatchScalarField& wall) {
-        const surfaceScalarField& phi = db().lookupObject<surfaceScalarField>("phi");
-        const scalarField before(phi.oldTime().boundaryField()[patch().index()]/patch().magSf());  // past the wall
-        vectorField& U = *this;
-        U += wall.open()*min(before, scalar(0))*patch().nf();
-    }
 
 public:
     TypeName("ventilatedWallVelocity");
@@ -249,21 +252,22 @@ public:
     void updateCoeffs() override {
         if (updated()) return;
         movingWallVelocityFvPatchVectorField::updateCoeffs();
-        ventilatedWallPressureFvPatchScalarField* wall = pressure();
+        ventilatedWallPressureFvPatchScalarField* wall = lettingGo(patch(), db());
         if (!wall) return;
         wall->decide(scalarField(this->size(), 0.0));
-        addInflow(*wall);
+        vectorField& U = *this;
+        U += inflow(*wall, patch());
     }
     void evaluate(const Pstream::commsTypes comms) override {
         movingWallVelocityFvPatchVectorField::evaluate(comms);
-        ventilatedWallPressureFvPatchScalarField* wall = pressure();
+        ventilatedWallPressureFvPatchScalarField* wall = lettingGo(patch(), db());
         if (!wall) return;
         vectorField& U = *this;
         if (wall->equations() != equations_) {  // phi is absolute, as below
             equations_ = wall->equations();
             movingWallVelocityFvPatchVectorField::updateCoeffs();
             wall->decide(U & patch().Sf());
-            addInflow(*wall);
+            U += inflow(*wall, patch());
             movingWallVelocityFvPatchVectorField::evaluate(comms);
             return;
         }
@@ -274,6 +278,47 @@ public:
 };
 
 makePatchTypeField(fvPatchVectorField, ventilatedWallVelocityFvPatchVectorField);
+
+/// The velocity of such a wall at rest that water slips along.
+class ventilatedSlipFvPatchVectorField : public slipFvPatchField<vector> {
+    void addInflow() {
+        ventilatedWallPressureFvPatchScalarField* wall = lettingGo(patch(), db());
+        if (!wall) return;
+        wall->decide(scalarField(this->size(), 0.0));
+        vectorField& U = *this;
+        U += inflow(*wall, patch());
+    }
+
+public:
+    TypeName("ventilatedSlip");
+
+    ventilatedSlipFvPatchVectorField(const fvPatch& p, const DimensionedField<vector, volMesh>& field)
+        : slipFvPatchField<vector>(p, field) {}
+    ventilatedSlipFvPatchVectorField(const fvPatch& p, const DimensionedField<vector, volMesh>& field,
+                                     const dictionary& dict)
+        : slipFvPatchField<vector>(p, field, dict) {}
+    ventilatedSlipFvPatchVectorField(const ventilatedSlipFvPatchVectorField& other, const fvPatch& p,
+                                     const DimensionedField<vector, volMesh>& field, const released::Mapper& mapper)
+        : slipFvPatchField<vector>(other, p, field, mapper) {}
+    ventilatedSlipFvPatchVectorField(const ventilatedSlipFvPatchVectorField& other,
+                                     const DimensionedField<vector, volMesh>& field)
+        : slipFvPatchField<vector>(other, field) {}
+    RELEASED_CLONES(ventilatedSlipFvPatchVectorField, vector)
+
+    void updateCoeffs() override {
+        if (updated()) return;
+        slipFvPatchField<vector>::updateCoeffs();
+        slipFvPatchField<vector>::evaluate(Pstream::commsTypes::blocking);
+        addInflow();
+        slipFvPatchField<vector>::updateCoeffs();  // evaluated, they would be asked for again
+    }
+    void evaluate(const Pstream::commsTypes comms) override {
+        slipFvPatchField<vector>::evaluate(comms);
+        addInflow();
+    }
+};
+
+makePatchTypeField(fvPatchVectorField, ventilatedSlipFvPatchVectorField);
 
 #endif
 

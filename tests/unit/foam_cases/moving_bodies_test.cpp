@@ -175,6 +175,19 @@ TEST(CaseFiles, ABodyInWavesAnswersOnceAStepBecauseMoreCorrectorsFlattenWaves) {
     EXPECT_SAYS(fv_solution(plan_case(scene, v1912)), "nOuterCorrectors 3; nCorrectors 1;") << "too light";
 }
 
+TEST(CaseFiles, AHullAtRestLetsWaterGoBySpeedsThatLastWhereStepsAreShort) {
+    Scene scene = planing_scene();
+    const auto velocity = [&](double courant, const char* library) {
+        scene.fvm.max_courant = courant;
+        CasePlan plan = plan_case(scene, v1912);
+        plan.wall_library = library;
+        return velocity_field(plan);
+    };
+    EXPECT_SAYS(velocity(0.15, "libventilatedWall.so"), "hull { type ventilatedSlip;");
+    EXPECT_SAYS(velocity(4, "libventilatedWall.so"), "hull { type slip;");
+    EXPECT_SAYS(velocity(0.15, ""), "hull { type slip;");
+}
+
 // Cells of fixed places are sought again whenever the mesh has moved, for twice the time of the rest of a step.
 TEST(CaseFiles, GaugesBeyondTheMorphedCellsKeepTheCellsThatTheyHave) {
     Scene scene = dam_break_scene();
