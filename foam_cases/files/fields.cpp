@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 
 #include "foam_cases/files/case_files.h"
@@ -94,8 +95,8 @@ std::string velocity_field(const CasePlan& plan, const std::optional<Value>& of_
         const bool lets_go = !plan.wall_library.empty();
         // slip would let the water through a wall that moves
         if (s.moves) return {{"type", Word(plan.flavour.moving_wall(lets_go))}, {"value", uniform(Vec3::Zero())}};
-        const bool short_steps =
-            s.is_hull && plan.scene->fvm.max_courant <= 1;  // docs/decisions/061-walls-that-let-go.md
+        const FvmOptions& fvm = plan.scene->fvm;
+        const bool short_steps = s.is_hull && std::min(fvm.max_courant, fvm.max_alpha_courant) <= 1;  // decision 061
         if (short_steps && !plan.no_slip) return {{"type", Word(plan.flavour.slip_wall(lets_go))}};
         return wall;
     });

@@ -48,6 +48,11 @@ class ventilatedWallPressureFvPatchScalarField : public fixedFluxPressureFvPatch
         for (scalarField* field : {&open_, &wasOpen_, &ofAir_}) *field = scalarField(this->size(), 0.0);
     }
 
+    void setAir() {
+        const scalarField& rho = patch().lookupPatchField<volScalarField, scalar>("rho");
+        ofAir_ = -rho * (released::gravity(db()) & patch().Cf());
+    }
+
 public:
     TypeName("ventilatedWallPressure");
 
@@ -94,9 +99,8 @@ public:
         }
         const scalarField water(
             patch().lookupPatchField<volScalarField, scalar>("alpha.water").patchInternalField());
-        const scalarField& rho = patch().lookupPatchField<volScalarField, scalar>("rho");
+        setAir();
         const scalarField phi(patch().lookupPatchField<surfaceScalarField, scalar>("phi") - throughWall);
-        const scalarField gh(released::gravity(db()) & patch().Cf());
         const polyPatch& faces = patch().patch();
         // By points, so that neighbours on other processors count.
         boolList beside(patch().boundaryMesh().mesh().nPoints(), false);
@@ -108,7 +112,6 @@ public:
         forAll(open_, face) {
             bool airCanCome = false;
             for (const label point : faces[face]) airCanCome = airCanCome || beside[point];
-            ofAir_[face] = -rho[face]*gh[face];
             const bool pulled = open_[face] > 0.5 ? phi[face] <= 0 : (*this)[face] < ofAir_[face];
             open_[face] = airCanCome && pulled && water[face] > waterAbove ? 1 : 0;
             opened += open_[face] > 0.5 ? 1 : 0;
@@ -123,6 +126,7 @@ public:
     void RELEASED_TAKE_GRADIENT(const scalarField& gradientOfWall) override {
         if (updated()) return;
         decide(scalarField(this->size(), 0.0));
+        setAir();  // the water has moved since, where it was decided before
         decided_ = false;
         ++equations_;
         fixedFluxPressureFvPatchScalarField::RELEASED_TAKE_GRADIENT(gradientOfWall);
@@ -225,12 +229,17 @@ inline tmp<vectorField> inflow(const ventilatedWallPressureFvPatchScalarField& w
     return wall.open() * min(before, scalar(0)) * patch.nf();
 }
 
-/// The velocity of such a wall that moves: the wall's, and at openings with what comes in.
-///
-/// Once the mesh has moved the solver asks for the fluxes through such patches anew, by their velocity, and corrects all
-/// others by them. What is asked for then, with no equation of the pressure since the last time, is the flux that there is.
+/// The velocity of such a wall that moves: the wall's, and at openings with what comes in. Once the mesh has moved the solver
+/// asks for the fluxes through such patches anew, by their velocity, and corrects all others by them: openings have them
+/// still.
 class ventilatedWallVelocityFvPatchVectorField : public movingWallVelocityFvPatchVectorField {
     label equations_ = 0;  ///< of the pressure, when the velocity was asked for the last time
+
+    void takeWall() {
+        movingWallVelocityFvPatchVectorField::updateCoeffs();
+        vectorField& U = *this;
+        if (!patch().boundaryMesh().mesh().moving()) U = Zero;  // which it leaves as it is
+    }
 
 public:
     TypeName("ventilatedWallVelocity");
@@ -251,7 +260,7 @@ public:
 
     void updateCoeffs() override {
         if (updated()) return;
-        movingWallVelocityFvPatchVectorField::updateCoeffs();
+        takeWall();
         ventilatedWallPressureFvPatchScalarField* wall = lettingGo(patch(), db());
         if (!wall) return;
         wall->decide(scalarField(this->size(), 0.0));
@@ -259,21 +268,16 @@ public:
         U += inflow(*wall, patch());
     }
     void evaluate(const Pstream::commsTypes comms) override {
-        movingWallVelocityFvPatchVectorField::evaluate(comms);
         ventilatedWallPressureFvPatchScalarField* wall = lettingGo(patch(), db());
-        if (!wall) return;
-        vectorField& U = *this;
-        if (wall->equations() != equations_) {  // phi is absolute, as below
+        if (wall && wall->equations() != equations_) {  // until the end of the corrector phi is absolute
             equations_ = wall->equations();
-            movingWallVelocityFvPatchVectorField::updateCoeffs();
+            if (updated()) movingWallVelocityFvPatchVectorField::evaluate(comms);  // or the wall's would not be taken
+            takeWall();
+            vectorField& U = *this;
             wall->decide(U & patch().Sf());
             U += inflow(*wall, patch());
-            movingWallVelocityFvPatchVectorField::evaluate(comms);
-            return;
         }
-        const scalarField& phi = patch().lookupPatchField<surfaceScalarField, scalar>("phi");
-        const vectorField n(patch().nf());
-        U += wall->open()*n*(phi/patch().magSf() - (n & U));
+        movingWallVelocityFvPatchVectorField::evaluate(comms);
     }
 };
 

@@ -43,8 +43,9 @@ constexpr double steps_of_shedding_edges = 1.45;      // half a prism with cells
 constexpr double cell_steps_per_core_second = 335e3;  // interFoam, three dimensions, three pressure correctors
 constexpr double cost_of_flat_step = 0.54;            // two dimensions: four faces of a cell in place of six
 constexpr double cost_of_moving_step = 1.6;           // a mesh that follows a body, in two or three dimensions
-// A free hull in a stream, beside which more of the mesh moves: once a step, and three times of one so light that body and
-// water come to terms no sooner (foam_cases/viscous_steps.h). Measured: a ship and a planing hull in waves.
+// A free hull in a stream, beside which more of the mesh moves: with one corrector in a step, as in waves, and with three,
+// where it is so light that body and water come to terms no sooner (foam_cases/viscous_steps.h). Measured: a ship and a
+// planing hull in waves; two, of one that is not light in calm water, lie between.
 constexpr double cost_of_free_hull_step = 1.9, cost_of_light_hull_step = 3.8;
 constexpr double lightest_at_once = 0.375;            // share of its added mass
 constexpr double seconds_per_frame = 0.012;           // files of a moment, whatever the mesh
@@ -74,7 +75,8 @@ double cost_of_step(const Scene& scene) {
     if (scene.hull && scene.hull->free && scene.motion.kind == Motion::Kind::stream) {
         const MovingBody hull = followed_by_mesh(scene).front();
         const bool light = hull.motion.mass.mass < lightest_at_once * added_mass(hull, scene);
-        return surface * (light ? cost_of_light_hull_step : cost_of_free_hull_step);
+        if (light) return surface * cost_of_light_hull_step;
+        return surface * cost_of_free_hull_step * (scene.has_wave() ? 1 : 1.5);
     }
     if (!scene.bodies.empty() || (scene.hull && scene.hull->free)) return surface * cost_of_moving_step;
     return surface * (flat ? cost_of_flat_step : hull_held_in_stream(scene) ? cost_of_held_step : 1);

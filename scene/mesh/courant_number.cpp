@@ -22,9 +22,10 @@ double default_courant(const Scene& scene) {
     // Implicit Euler flattens a wave by its steps: from 0.05 to 0.15 keep it (Larsen, Fuhrman & Roenby, Coastal Eng. J.
     // 61 (2019) 18). Beside a hull or body of two dimensions cells are smaller than those of the wave, whose steps stay
     // what they are without it.
+    const bool flat = scene.domain.dimensions == 2;
     if (scene.has_wave())
-        return (inlet_wave(scene) ? courant_of_entering_wave(scene) : 0.15) * scene.resolution.near_hull /
-               finest_cell(scene);
+        return (inlet_wave(scene) ? courant_of_entering_wave(scene) : 0.15) *
+               (flat ? scene.resolution.near_hull / finest_cell(scene) : 1);
     // Measured: forces of a hull in a steady stream are the same at 4 as at 1; a splash is not.
     return scene.motion.kind == Motion::Kind::stream ? 4 : 1;
 }
