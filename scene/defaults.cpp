@@ -163,8 +163,10 @@ double wave_has_passed(const Scene& scene) {
     if (runs_obliquely(scene))
         return start_of(scene) + std::max(settling(scene), 3 * wave.period + time_to_fill(scene));
     if (scene.motion.kind == Motion::Kind::stream) {
+        // The box as it was asked for: the same at every size, as the runs of a grid study need it.
         const Box &all = scene.domain.box, &open = scene.domain.undamped;
-        const double way = wave.comes_from_low_x ? open.max.x() - all.min.x() : all.max.x() - open.min.x();
+        const double zone = wave.comes_from_low_x ? open.min.x() - all.min.x() : all.max.x() - open.max.x(),
+                     way = scene.domain.as_asked.size().x() + zone;
         return start_of(scene) + std::max(settling(scene), 3 * wave.period + way / wave.slowest);
     }
     const double way = begins_in_zone(scene) ? scene.domain.box.size().x() - wave.longest : 0;

@@ -21,6 +21,17 @@ namespace tw::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool is_of_another_scene(const CampaignRun& run) {
+    const fs::path file = run.folder / "record.h5";
+    if (!fs::exists(file)) return false;
+    RunRecord record = read_record(file);
+    return record.attributes["run_hash"] != run_hash(run.plan.scene, run.method);
+}
+
+}  // namespace
+
 GridStudySizes sizes_of_coarser_members(RunRequest own) {
     own.snapshots = false;
     return {.request = std::move(own), .levels = 3, .ratio = std::numbers::sqrt2, .variations = false};
@@ -83,16 +94,17 @@ std::string CoarserMembers::prediction_text(const Scene& scene, double own) cons
 }
 
 void CoarserMembers::refuse_others() const {
-    for (const GridStudyJob& job : plan_.jobs) {
-        const fs::path file = job.run.folder / "record.h5";
-        if (!fs::exists(file)) continue;
-        RunRecord record = read_record(file);
-        if (record.attributes["run_hash"] != run_hash(job.run.plan.scene, job.run.method))
+    for (const GridStudyJob& job : plan_.jobs)
+        if (is_of_another_scene(job.run))
             throw InputError(
                 fmt::format("{}: there is a run of another scene already; run anew with --overwrite, or "
                             "choose another folder with --out",
                             job.run.folder.string()));
-    }
+}
+
+void CoarserMembers::remove_others(const std::set<fs::path>& made) const {
+    for (const GridStudyJob& job : plan_.jobs)
+        if (made.contains(job.run.folder) && is_of_another_scene(job.run)) fs::remove_all(job.run.folder);
 }
 
 bool CoarserMembers::run(Campaign& campaign) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ public:
 
     /// Refuses folders of another scene's runs before hours are spent. Throws InputError.
     void refuse_others() const;
+    /// Removes them where they are among `made`, which this call made of sizes that it has given up since.
+    void remove_others(const std::set<std::filesystem::path>& made) const;
     /// Runs them, cheapest first; a finished one is taken. False: stopped on request. One that fails is left out.
     bool run(Campaign& campaign);
     /// The grid study of these and the scene's own finished runs in `own`/METHOD, where there are some. CoarserMembers

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "app/arguments/output.h"
 #include "app/campaign/budget.h"
@@ -256,11 +257,14 @@ struct Ordered {
         return runs;
     }
 };
-Ordered ordered(RunRequest request, PlannedRun plan, const RunCommand& command, const fs::path& out) {
+/// `made`: folders of the runs that this call has made of other sizes.
+Ordered ordered(RunRequest request, PlannedRun plan, const RunCommand& command, const fs::path& out,
+                const std::set<fs::path>& made = {}) {
     request.ranks = plan.scene.run.ranks;
     std::vector<CampaignRun> empty = wave_twins_of(plan, out);
     Ordered runs{std::move(plan), {}, std::move(empty)};
     if (command.coarser_members) runs.coarser_members.emplace(request, out / "twins");
+    if (runs.coarser_members) runs.coarser_members->remove_others(made);
     if (runs.coarser_members && !command.overwrite) runs.coarser_members->refuse_others();
     return runs;
 }
@@ -278,7 +282,9 @@ bool keep_to_budget(Ordered& runs, RunRequest& request, PaidSizes& paid, const R
         if (!trial.sizes) return !trial.stopped;
         paid = *trial.sizes;
         request.overrides.scale_resolution = paid.scale;
-        runs = ordered(request, plan_run(request), command, out);
+        std::set<fs::path> made;
+        for (const CampaignRun& run : all) made.insert(run.folder);
+        runs = ordered(request, plan_run(request), command, out, made);
         remember(paid, budget, out);
     }
 }
