@@ -153,6 +153,14 @@ double start_up_period(const Scene& scene) {
     return 8 * std::numbers::pi * std::pow(std::min(F, 0.5), 2) * time_scale(scene);
 }
 
+/// Of the zone that makes the wave, in the scene's own sizes, whatever the run's scale [m].
+double width_at_scale_one(Scene scene) {
+    Resolution& r = scene.resolution;
+    r.near_hull /= r.scale, r.spacing /= r.scale, r.scale = 1;
+    const ZoneReach reach = zone_reach(scene, scene.water.gravity);
+    return wave_scales(scene).comes_from_low_x ? reach.ahead : reach.behind;
+}
+
 /// From when on a tank's or a stream's wave has passed every gauge and body [s]. In a stream, and with solids in the
 /// tank, it begins in the zone that makes it (scene/box/tank_wave.h), and its front runs to the other zone at the group
 /// speed, over which the stream carries it. Until then a hull's flow has settled too.
@@ -163,10 +171,9 @@ double wave_has_passed(const Scene& scene) {
     if (runs_obliquely(scene))
         return start_of(scene) + std::max(settling(scene), 3 * wave.period + time_to_fill(scene));
     if (scene.motion.kind == Motion::Kind::stream) {
-        // The box as it was asked for: the same at every size, as the runs of a grid study need it.
-        const Box &all = scene.domain.box, &open = scene.domain.undamped;
-        const double zone = wave.comes_from_low_x ? open.min.x() - all.min.x() : all.max.x() - open.max.x(),
-                     way = scene.domain.as_asked.size().x() + zone;
+        // Box and zones before they were rounded to the run's sizes: the same at all scales, as grid studies need it.
+        const bool zones = scene.domain.box.size().x() > scene.domain.undamped.size().x();
+        const double way = scene.domain.as_asked.size().x() + (zones ? width_at_scale_one(scene) : 0);
         return start_of(scene) + std::max(settling(scene), 3 * wave.period + way / wave.slowest);
     }
     const double way = begins_in_zone(scene) ? scene.domain.box.size().x() - wave.longest : 0;

@@ -178,7 +178,7 @@ TEST(CaseFiles, ABodyInWavesAnswersOnceAStepBecauseMoreCorrectorsFlattenWaves) {
 TEST(CaseFiles, AHullAtRestLetsWaterGoBySpeedsThatLastWhereStepsAreShort) {
     Scene scene = planing_scene();
     const auto velocity = [&](double courant, const char* library) {
-        scene.fvm.max_courant = courant;
+        scene.fvm.max_courant = scene.fvm.max_alpha_courant = courant;
         CasePlan plan = plan_case(scene, v1912);
         plan.wall_library = library;
         return velocity_field(plan);

@@ -54,15 +54,15 @@ TEST(FreeHull, IsOneSizeOfParticlesAndAMorphedMesh) {
     EXPECT_EQ(mesh_motion(scene_of(planing)).kind, MeshMotion::Kind::none);
 }
 
-// Measured: 3.8 and 1.9 times the time of a step of a mesh at rest, a planing hull of 0.31 and a ship of 0.74 times its added
-// mass, which come to terms with the water three times and once in a step.
-TEST(FreeHull, ThatIsLightTakesTwiceTheTimeOfAHeavyOne) {
+// Measured: 3.8 times the time of a step of a mesh at rest, a planing hull of 0.31 times its added mass, which comes to terms
+// with the water three times in a step; twice that of a ship in waves, which does so once.
+TEST(FreeHull, ThatIsLightTakesLongerThanAHeavyOne) {
     Scene light = scene_of(free_planing);
     light.run.duration = 1e5;  // beside which the start is nothing
     Scene heavy = light;
     heavy.hull->free->motion.mass.mass *= 10;
     EXPECT_EQ(predict(light).of("fvm").steps, predict(heavy).of("fvm").steps);
-    EXPECT_NEAR(predict(light).of("fvm").seconds / predict(heavy).of("fvm").seconds, 2, 0.1);
+    EXPECT_NEAR(predict(light).of("fvm").seconds / predict(heavy).of("fvm").seconds, 4.0 / 3, 0.05);
 }
 
 TEST(FreeHull, GivesItsHeavesTimeToDieOut) {
